@@ -1,0 +1,77 @@
+// SPDX-FileCopyrightText: 2026 ribbon_mapper authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <memory>
+#include <vector>
+
+#include "modeler/geometry/pose.hpp"
+#include "modeler/map/plane.hpp"
+#include "modeler/scan/laser_beams.hpp"
+#include "modeler/modeler_config.hpp"
+
+namespace ribbon_mapper {
+
+/// What became of a scan line.
+enum class LineResult {
+  modelled,         ///< it entered the buffer, ribbons of the line before it are in the model
+  too_close,        ///< it has hardly moved since the line before it: it would add noise only
+  no_returns,       ///< not a single valid range
+  malformed,        ///< wrong length, or angles, times or poses that are not finite
+  out_of_order,     ///< stamped before the line before it
+};
+
+const char* to_string(LineResult result);
+
+struct ModelStatistics {
+  std::size_t lines = 0;    ///< given to add_scan_line()
+  std::size_t ribbons = 0;
+  std::size_t revision = 0;  ///< number of corrections applied
+  std::size_t memory_bytes = 0;  ///< of ribbons, trajectory and hypotheses
+};
+
+/// Planes from the lines of a tilting laser; the model follows every correction of the trajectory.
+///
+/// The model is a function of two things: the ribbons, each kept in the frame of its acquisition
+/// pose, and the trajectory. Deterministic: no thread, no clock, no global.
+class Modeler {
+ public:
+  /// Throws std::invalid_argument that names the key and its range if a value is out of range.
+  explicit Modeler(const ModelerConfig& config);
+  ~Modeler();
+  Modeler(Modeler&&) noexcept;
+  Modeler& operator=(Modeler&&) noexcept;
+
+  /// Sections 4.1 to 4.3 of the paper: buffer, surfels, ribbons, association. Never throws on bad
+  /// data: the result says what became of the line.
+  LineResult add_scan_line(const LaserBeams& beams, const LinePoses& poses);
+
+  /// Section 4.4: takes over a corrected trajectory (base_footprint in map, stamps strictly
+  /// increasing) and evaluates the model again. Between corrected poses the change is interpolated
+  /// in SE(3); before the first and after the last one, the nearest change holds. Each revision
+  /// replaces the one before: changes are always measured from the poses that lines came with.
+  /// Later lines: see CorrectionConfig::poses_follow.
+  /// Throws std::invalid_argument if the trajectory is empty, out of order, not finite, or does
+  /// not overlap in time with the model's; the model is then as it was.
+  void correct(const std::vector<StampedPose>& corrected_trajectory);
+
+  void reset();
+
+  /// Confirmed planes as built on the way (or, after correct(), as evaluated again).
+  std::vector<Plane> planes() const;
+
+  /// The same after the final merging and filtering of small planes.
+  std::vector<Plane> merged_planes() const;
+
+  /// Acquisition poses as they are now (corrected if there was a correction), one per line in
+  /// the model, stamps strictly increasing.
+  const std::vector<StampedPose>& trajectory() const;
+
+  ModelStatistics statistics() const;
+
+ private:
+  struct State;
+  std::unique_ptr<State> state_;
+};
+
+}  // namespace ribbon_mapper
