@@ -1,0 +1,34 @@
+// SPDX-FileCopyrightText: 2026 ribbon_mapper authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "modeler/io/colour.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace ribbon_mapper {
+namespace {
+
+/// One channel of a colour given as hue, saturation and value, each in 0..1. The channels are
+/// offset by 5 (red), 3 (green) and 1 (blue) sixths of the circle.
+std::uint8_t channel(double offset, double hue, double saturation, double value) {
+  const double k = std::fmod(offset + 6.0 * hue, 6.0);
+  const double share = std::clamp(std::min(k, 4.0 - k), 0.0, 1.0);
+  return static_cast<std::uint8_t>(std::lround(255.0 * value * (1.0 - saturation * share)));
+}
+
+}  // namespace
+
+Colour plane_colour(std::int64_t id) {
+  constexpr double kGoldenRatio = 0.618033988749895;  // spreads hues evenly, however many there are
+  constexpr std::array<double, 3> kSaturations{0.85, 0.60, 0.95};
+  constexpr std::array<double, 3> kValues{0.90, 0.95, 0.65};
+  const double turns = static_cast<double>(id) * kGoldenRatio;
+  const double hue = turns - std::floor(turns);
+  const auto tone = static_cast<std::size_t>(((id % 3) + 3) % 3);
+  const double saturation = kSaturations[tone], value = kValues[tone];
+  return {channel(5.0, hue, saturation, value), channel(3.0, hue, saturation, value),
+          channel(1.0, hue, saturation, value)};
+}
+
+}  // namespace ribbon_mapper

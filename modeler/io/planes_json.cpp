@@ -1,0 +1,60 @@
+// SPDX-FileCopyrightText: 2026 ribbon_mapper authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "modeler/io/planes_json.hpp"
+
+#include <nlohmann/json.hpp>
+
+namespace ribbon_mapper {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+Json to_json(const Eigen::Vector3d& v) { return {v.x(), v.y(), v.z()}; }
+
+Json to_json(const std::vector<Eigen::Vector3d>& points) {
+  Json json = Json::array();
+  for (const Eigen::Vector3d& point : points) json.push_back(to_json(point));
+  return json;
+}
+
+Json to_json(const Eigen::AlignedBox3d& box) {
+  return box.isEmpty() ? Json::array() : Json{to_json(box.min()), to_json(box.max())};
+}
+
+Json to_json(const Plane& plane) {
+  return {{"id", plane.id},
+          {"normal", to_json(plane.normal)},
+          {"d", plane.d_m},
+          {"area", plane.area_m2},
+          {"centroid", to_json(plane.centroid)},
+          {"bbox", to_json(bounding_box(plane))},
+          {"outline", to_json(plane.outline)}};
+}
+
+void extend_by_cell(Eigen::AlignedBox3d& box, const Plane& plane, const PlaneCell& cell) {
+  for (const int u : {cell.u, cell.u + 1}) {
+    for (const int v : {cell.v, cell.v + 1}) box.extend(grid_corner(plane, u, v));
+  }
+}
+
+}  // namespace
+
+Eigen::AlignedBox3d bounding_box(const Plane& plane) {
+  Eigen::AlignedBox3d box;
+  for (const Eigen::Vector3d& point : plane.outline) box.extend(point);
+  if (!box.isEmpty()) return box;
+  for (const PlaneCell& cell : plane.cells) extend_by_cell(box, plane, cell);
+  return box;
+}
+
+std::string planes_to_json(const std::vector<Plane>& planes) {
+  std::string text = "{\n\"frame\": \"map\",\n\"unit\": \"m\",\n\"planes\": [";
+  const char* separator = "\n";
+  for (const Plane& plane : planes) {
+    text += separator + to_json(plane).dump();
+    separator = ",\n";
+  }
+  return text + "\n]\n}\n";
+}
+
+}  // namespace ribbon_mapper

@@ -1,0 +1,79 @@
+// SPDX-FileCopyrightText: 2026 ribbon_mapper authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "modeler/io/tum.hpp"
+
+#include <gmock/gmock.h>
+
+#include "test/io/temporary_directory.hpp"
+
+namespace ribbon_mapper {
+namespace {
+
+using testing::AllOf;
+using testing::HasSubstr;
+using testing::ThrowsMessage;
+
+TEST(Tum, RoundTrip) {
+  std::vector<StampedPose> trajectory;
+  for (int i = 0; i < 20; ++i) {
+    const Pose tilted = Pose(Eigen::AngleAxisd(0.3 * i, Eigen::Vector3d(1, 2, i).normalized()));
+    trajectory.push_back({Time(1'700'000'000'123'456'789 + i * 25'000'001LL),
+                          planar_pose(0.1 * i, -2.0, 0.5 * i) * tilted});
+  }
+  const auto back = from_tum(to_tum(trajectory), "text");
+  ASSERT_EQ(back.size(), trajectory.size());
+  for (std::size_t i = 0; i < back.size(); ++i) {
+    EXPECT_EQ(back[i].stamp, trajectory[i].stamp);
+    EXPECT_TRUE(back[i].T_map_base.isApprox(trajectory[i].T_map_base, 1e-9));
+  }
+}
+
+TEST(Tum, GoldenLine) {
+  EXPECT_EQ(to_tum({{Time(1'500'000'000), planar_pose(1.0, 2.0, 0.0)}}),
+            "# stamp tx ty tz qx qy qz qw\n"
+            "1.500000000 1.000000000 2.000000000 0.000000000 "
+            "0.000000000000 0.000000000000 0.000000000000 1.000000000000\n");
+}
+
+TEST(Tum, ReadsWhatOthersWrite) {
+  const auto poses = from_tum(
+      "# comment\r\n\r\n1305031102.1758 1.3352 0.6261 1.6519 0.6574 0.6126 -0.2949 -0.3248\r\n"
+      "1.3050311022e9\t0 0 0 0 0 0 1\n",
+      "text");
+  ASSERT_EQ(poses.size(), 2U);
+  EXPECT_EQ(poses[0].stamp, Time(1'305'031'102'175'800'000));
+  EXPECT_TRUE(is_valid(poses[0].T_map_base));
+}
+
+struct BadLine {
+  const char* line;
+  const char* reason;
+};
+class BadText : public testing::TestWithParam<BadLine> {};
+
+TEST_P(BadText, IsRefusedWithItsLineNumber) {
+  const std::string text = std::string("# header\n5 0 0 0 0 0 0 1\n") + GetParam().line + "\n";
+  EXPECT_THAT([&] { from_tum(text, "loop.tum"); },
+              ThrowsMessage<std::runtime_error>(
+                  AllOf(HasSubstr("loop.tum, line 3:"), HasSubstr(GetParam().reason))));
+}
+
+INSTANTIATE_TEST_SUITE_P(Tum, BadText,
+                         testing::Values(BadLine{"6 0 0 0 0 0 0", "8 finite numbers"},
+                                         BadLine{"6 0 0 nan 0 0 0 1", "8 finite numbers"},
+                                         BadLine{"6 x 0 0 0 0 0 1", "8 finite numbers"},
+                                         BadLine{"6 0 0 0 0 0 0 1 9", "more than 8"},
+                                         BadLine{"6 0 0 0 0 0 0 0", "quaternion"},
+                                         BadLine{"6 0 0 0 0 0 0 2", "quaternion"},
+                                         BadLine{"5 0 0 0 0 0 0 1", "not later"},
+                                         BadLine{"1e30 0 0 0 0 0 0 1", "too large"}));
+
+TEST(Tum, FilesThatCannotBeReadAreNamed) {
+  const TemporaryDirectory directory;
+  EXPECT_THAT([] { read_tum("/nowhere/loop.tum"); },
+              ThrowsMessage<std::runtime_error>(HasSubstr("/nowhere/loop.tum: No such file")));
+  EXPECT_THROW(read_tum(directory.path()), std::runtime_error);
+}
+
+}  // namespace
+}  // namespace ribbon_mapper
