@@ -1,0 +1,62 @@
+// SPDX-FileCopyrightText: 2026 ribbon_mapper authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "eval/results.hpp"
+
+#include <array>
+#include <cstdio>
+#include <nlohmann/json.hpp>
+
+#include "modeler/io/atomic_file.hpp"
+#include "modeler/io/colour.hpp"
+#include "modeler/io/planes_json.hpp"
+#include "modeler/io/save.hpp"
+#include "modeler/io/tum.hpp"
+
+namespace ribbon_mapper::eval {
+namespace {
+
+std::vector<Plane> planes_of(const std::vector<Patch>& truth) {
+  std::vector<Plane> planes;
+  for (const Patch& patch : truth) {
+    planes.push_back(plane_of(patch, static_cast<std::int64_t>(planes.size())));
+  }
+  return planes;
+}
+
+std::string hex(const Colour& colour) {
+  std::array<char, 8> text;
+  std::snprintf(text.data(), text.size(), "#%02x%02x%02x", colour.red, colour.green, colour.blue);
+  return text.data();
+}
+
+/// What the figure needs beside the planes: the world's outlines and the colours of the planes.
+std::string figure_data(const Results& results) {
+  nlohmann::ordered_json outlines = nlohmann::ordered_json::array();
+  for (const auto& polygon : results.world_outlines) {
+    auto& points = outlines.emplace_back(nlohmann::ordered_json::array());
+    for (const Eigen::Vector2d& point : polygon) points.push_back({point.x(), point.y()});
+  }
+  nlohmann::ordered_json colours = nlohmann::ordered_json::object();
+  for (const auto* planes : {&results.planes_before, &results.planes_after}) {
+    for (const Plane& plane : *planes) {
+      colours[std::to_string(plane.id)] = hex(plane_colour(plane.id));
+    }
+  }
+  return nlohmann::ordered_json{{"world_outlines", outlines}, {"colours", colours}}.dump() + "\n";
+}
+
+}  // namespace
+
+void write_results(const Results& results, const std::filesystem::path& directory) {
+  create_directory_for_files(directory);
+  write_file_atomically(directory / "summary.json", summary_to_json(results.summary));
+  write_file_atomically(directory / "planes_before.json", planes_to_json(results.planes_before));
+  write_file_atomically(directory / "planes_truth.json", planes_to_json(planes_of(results.truth)));
+  write_file_atomically(directory / "trajectory_before.tum", to_tum(results.trajectory_before));
+  write_file_atomically(directory / "trajectory_after.tum", to_tum(results.trajectory_after));
+  write_file_atomically(directory / "trajectory_truth.tum", to_tum(results.trajectory_truth));
+  write_file_atomically(directory / "figure.json", figure_data(results));
+  save_model(results.planes_after, directory, "planes_after");
+}
+
+}  // namespace ribbon_mapper::eval

@@ -1,0 +1,36 @@
+// SPDX-FileCopyrightText: 2026 ribbon_mapper authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <Eigen/Core>
+#include <filesystem>
+#include <vector>
+
+#include "eval/patch.hpp"
+#include "eval/summary.hpp"
+#include "modeler/geometry/pose.hpp"
+#include "modeler/map/plane.hpp"
+
+namespace ribbon_mapper::eval {
+
+/// What a tour leaves behind.
+struct Results {
+  Summary summary;
+  std::vector<Plane> planes_before;  ///< noisy trajectory, as built
+  std::vector<Plane> planes_after;   ///< corrected trajectory, merged and filtered
+  std::vector<Patch> truth;
+  // Acquisition poses.
+  std::vector<StampedPose> trajectory_before;
+  std::vector<StampedPose> trajectory_after;
+  std::vector<StampedPose> trajectory_truth;
+  /// Closed polygons of the world at the height of a table and of a head, for the figure [m].
+  std::vector<std::vector<Eigen::Vector2d>> world_outlines;
+};
+
+/// Writes into `directory` (created where needed), each file whole or not at all: summary.json,
+/// planes_{before,truth}.json, the model planes_after.{json,ply,bt} with planes_after_cells.ply,
+/// trajectory_{before,after,truth}.tum and figure.json, all that draw_figure() reads.
+/// Throws std::runtime_error (which file, why, what to do).
+void write_results(const Results& results, const std::filesystem::path& directory);
+
+}  // namespace ribbon_mapper::eval

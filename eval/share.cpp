@@ -1,0 +1,20 @@
+// SPDX-FileCopyrightText: 2026 ribbon_mapper authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "eval/share.hpp"
+
+#include <system_error>
+
+namespace ribbon_mapper::eval {
+
+namespace fs = std::filesystem;
+
+fs::path share_directory() {
+  std::error_code error;
+  const fs::path program = fs::read_symlink("/proc/self/exe", error);  // <prefix>/lib/<package>/*
+  const fs::path prefix = program.parent_path().parent_path().parent_path();
+  const fs::path installed = prefix / "share" / "ribbon_mapper";
+  if (!error && fs::exists(installed / "eval", error)) return installed;
+  return RIBBON_MAPPER_SOURCE_DIR;
+}
+
+}  // namespace ribbon_mapper::eval
