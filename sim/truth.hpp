@@ -12,6 +12,8 @@
 
 namespace ribbon_mapper::sim {
 
+class Tour;
+
 /// A plane of the world as far as the beams saw it: a connected patch of 5 cm cells on world faces
 /// with the same side, normal (within 0.5 degrees) and offset (within 1 cm); gaps of at most 1.0 m
 /// are bridged, patches below 0.5 m2 are no planes, curved faces neither (design: Truth).
@@ -29,8 +31,11 @@ class TruthCollector {
  public:
   explicit TruthCollector(const World& world);
   ~TruthCollector();
-  /// A hit without noise, in map; `face` as World::cast() gives it (-1 is ignored).
-  void add(const Eigen::Vector3d& point_map, int face);
+  /// A hit without noise, in map; `face` as World::cast() gives it (-1 is ignored). The beam's
+  /// origin tells the side: both sides of a thin wall are planes of their own.
+  void add(const Eigen::Vector3d& point_map, const Eigen::Vector3d& origin_map, int face);
+  /// All hits of a scan, placed by the tour's true poses at the beams' own times.
+  void add(const Scan& scan, const Tour& tour);
   /// Truth planes seen so far, largest first.
   std::vector<TruthPlane> planes() const;
 
