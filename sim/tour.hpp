@@ -24,12 +24,15 @@ struct TourConfig {
   std::uint64_t seed = 1;
 };
 
-/// A PR2 that drives a route through a world and scans with its tilting laser.
+/// A PR2 that drives a route through a world and scans with its tilting laser: from time 0 on, as
+/// many lines as end before the route does. The world must outlive the tour.
 class Tour {
  public:
   /// Throws std::invalid_argument (a bad value) or std::runtime_error (a route that collides).
   Tour(const World& world, const Route& route, const TourConfig& config);
   ~Tour();
+  Tour(const Tour&) = delete;
+  Tour& operator=(const Tour&) = delete;
 
   Time duration() const;
   std::size_t line_count() const;  ///< lines of the whole tour
@@ -39,6 +42,7 @@ class Tour {
 
   // Poses at any time of the tour, 0 .. duration().
   Pose true_T_map_base(Time time) const;
+  Velocity true_velocity(Time time) const;  ///< of the base, in its own frame
   Pose T_odom_base(Time time) const;   ///< odometry with its drift
   Pose T_map_odom(Time time) const;    ///< what the simulated SLAM says
   Pose noisy_T_map_base(Time time) const;  ///< T_map_odom * T_odom_base

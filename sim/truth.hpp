@@ -36,8 +36,8 @@ class TruthCollector {
   void add(const Eigen::Vector3d& point_map, const Eigen::Vector3d& origin_map, int face);
   /// All hits of a scan, placed by the tour's true poses at the beams' own times.
   void add(const Scan& scan, const Tour& tour);
-  /// Truth planes seen so far, largest first.
-  std::vector<TruthPlane> planes() const;
+  /// Truth planes seen so far, largest first. A smaller `min_area_m2` shows what fell short.
+  std::vector<TruthPlane> planes(double min_area_m2 = 0.5) const;
 
  private:
   struct State;

@@ -1,0 +1,33 @@
+// SPDX-FileCopyrightText: 2026 ribbon_mapper authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <Eigen/Core>
+
+#include "modeler/geometry/pose.hpp"
+
+/// The PR2 as pr2_description (pr2.urdf.xacro and the files it includes) and
+/// pr2_controller_configuration (pr2_base_controller2.yaml) give it.
+namespace ribbon_mapper::sim::pr2 {
+
+constexpr double kTiltLower_rad = -0.7854;  ///< laser_tilt_mount_joint, looks up
+constexpr double kTiltUpper_rad = 1.48353;  ///< looks down
+constexpr double kTiltSpeed_rad_s = 10.0;   ///< limit of the joint
+constexpr double kTorsoRest_m = 0.0115;     ///< torso_lift_joint at its lower soft stop
+
+constexpr double kBaseSpeed_m_s = 1.0;
+constexpr double kBaseTurnRate_rad_s = 2.0;
+constexpr double kBaseAcceleration_m_s2 = 2.0;
+constexpr double kBaseTurnAcceleration_rad_s2 = 2.0;
+
+/// Base footprint, up to the head with the torso down; clear of the floor.
+inline const Eigen::Vector3d kBodySize_m{0.65, 0.65, 1.30};
+constexpr double kBodyBottom_m = 0.05;
+
+/// laser_tilt_link in base_footprint: x ahead, z up at tilt 0.
+Pose T_base_laser(double tilt_rad, double torso_m = kTorsoRest_m);
+
+/// The body's box in map.
+Pose T_map_body(const Pose& T_map_base);
+
+}  // namespace ribbon_mapper::sim::pr2

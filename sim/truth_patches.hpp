@@ -1,0 +1,20 @@
+// SPDX-FileCopyrightText: 2026 ribbon_mapper authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+namespace ribbon_mapper::sim {
+
+/// A cell of a plane's grid that a beam hit.
+struct HitCell {
+  std::int32_t u = 0, v = 0;  ///< column and row
+  int face = 0;               ///< index into World::faces()
+};
+
+/// Patches of the cells: single linkage of cells whose edges are at most `max_gap_cells` apart.
+/// Neither the patches nor the cells in them depend on the order of `cells`.
+std::vector<std::vector<HitCell>> linked_patches(std::vector<HitCell> cells, double max_gap_cells);
+
+}  // namespace ribbon_mapper::sim
