@@ -37,7 +37,7 @@ std::string figure_data(const Results& results) {
     for (const Eigen::Vector2d& point : polygon) points.push_back({point.x(), point.y()});
   }
   nlohmann::ordered_json colours = nlohmann::ordered_json::object();
-  for (const auto* planes : {&results.planes_before, &results.planes_after}) {
+  for (const auto* planes : {&results.models.noisy_raw, &results.models.corrected_merged}) {
     for (const Plane& plane : *planes) {
       colours[std::to_string(plane.id)] = hex(plane_colour(plane.id));
     }
@@ -45,18 +45,34 @@ std::string figure_data(const Results& results) {
   return nlohmann::ordered_json{{"world_outlines", outlines}, {"colours", colours}}.dump() + "\n";
 }
 
+double degrees(double angle_rad) { return angle_rad * 180.0 / 3.14159265358979323846; }
+
 }  // namespace
+
+void evaluate(Results& results) {
+  const auto score = [&](const std::vector<Plane>& planes) {
+    return compare_maps(patches_of(planes), results.truth);
+  };
+  const FourModels& models = results.models;
+  results.summary.cells = {score(models.noisy_raw), score(models.noisy_merged),
+                           score(models.corrected_raw), score(models.corrected_merged)};
+  if (results.trajectory_before.empty() || results.trajectory_truth.empty()) return;
+  const Pose T_truth_estimate = results.trajectory_truth.back().T_map_base.inverse() *
+                                results.trajectory_before.back().T_map_base;
+  results.summary.end_drift_m = T_truth_estimate.translation().norm();
+  results.summary.end_drift_deg = degrees(angle_of(T_truth_estimate));
+}
 
 void write_results(const Results& results, const std::filesystem::path& directory) {
   create_directory_for_files(directory);
   write_file_atomically(directory / "summary.json", summary_to_json(results.summary));
-  write_file_atomically(directory / "planes_before.json", planes_to_json(results.planes_before));
+  write_file_atomically(directory / "planes_before.json", planes_to_json(results.models.noisy_raw));
   write_file_atomically(directory / "planes_truth.json", planes_to_json(planes_of(results.truth)));
   write_file_atomically(directory / "trajectory_before.tum", to_tum(results.trajectory_before));
   write_file_atomically(directory / "trajectory_after.tum", to_tum(results.trajectory_after));
   write_file_atomically(directory / "trajectory_truth.tum", to_tum(results.trajectory_truth));
   write_file_atomically(directory / "figure.json", figure_data(results));
-  save_model(results.planes_after, directory, "planes_after");
+  save_model(results.models.corrected_merged, directory, "planes_after");
 }
 
 }  // namespace ribbon_mapper::eval

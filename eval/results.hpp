@@ -13,11 +13,18 @@
 
 namespace ribbon_mapper::eval {
 
+/// The models that the four cells of a table compare with the truth.
+struct FourModels {
+  std::vector<Plane> noisy_raw;
+  std::vector<Plane> noisy_merged;
+  std::vector<Plane> corrected_raw;
+  std::vector<Plane> corrected_merged;
+};
+
 /// What a tour leaves behind.
 struct Results {
   Summary summary;
-  std::vector<Plane> planes_before;  ///< noisy trajectory, as built
-  std::vector<Plane> planes_after;   ///< corrected trajectory, merged and filtered
+  FourModels models;
   std::vector<Patch> truth;
   // Acquisition poses.
   std::vector<StampedPose> trajectory_before;
@@ -27,10 +34,14 @@ struct Results {
   std::vector<std::vector<Eigen::Vector2d>> world_outlines;
 };
 
+/// Fills in the parts of the summary that follow from the rest: the four cells and the end drift.
+void evaluate(Results& results);
+
 /// Writes into `directory` (created where needed), each file whole or not at all: summary.json,
-/// planes_{before,truth}.json, the model planes_after.{json,ply,bt} with planes_after_cells.ply,
-/// trajectory_{before,after,truth}.tum and figure.json, all that draw_figure() reads.
-/// Throws std::runtime_error (which file, why, what to do).
+/// planes_before.json (noisy, as built), planes_truth.json, the model planes_after.{json,ply,bt}
+/// with planes_after_cells.ply (corrected, merged), trajectory_{before,after,truth}.tum and
+/// figure.json, all that draw_figure() reads. Throws std::runtime_error (which file, why, what to
+/// do).
 void write_results(const Results& results, const std::filesystem::path& directory);
 
 }  // namespace ribbon_mapper::eval

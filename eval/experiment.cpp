@@ -1,0 +1,127 @@
+// SPDX-FileCopyrightText: 2026 ribbon_mapper authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "eval/experiment.hpp"
+
+#include <algorithm>
+#include <chrono>
+
+#include "modeler/modeler.hpp"
+#include "sim/truth.hpp"
+
+namespace ribbon_mapper::eval {
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+/// Seconds that `work` takes.
+template <typename Work>
+double seconds_of(const Work& work) {
+  const Clock::time_point start = Clock::now();
+  work();
+  return std::chrono::duration<double>(Clock::now() - start).count();
+}
+
+LaserBeams beams_of(const sim::Scan& scan) {
+  return {scan.stamp,
+          scan.angle_min_rad,
+          scan.angle_increment_rad,
+          scan.time_increment_s,
+          scan.range_min_m,
+          scan.range_max_m,
+          scan.ranges_m};
+}
+
+/// What tf says on the robot: poses with the errors of its localisation.
+LinePoses noisy_poses(const sim::Tour& tour, const LaserBeams& beams) {
+  const Time first = beams.stamp, last = end_of(beams);
+  return {tour.T_odom_base(first), tour.T_odom_base(last), tour.T_base_laser(first),
+          tour.T_base_laser(last), tour.noisy_T_map_base(middle_of(beams))};
+}
+
+/// What became of the lines, and how long they took.
+struct LineLog {
+  std::size_t dropped = 0;
+  double total_s = 0.0;
+  std::vector<double> line_s;
+};
+
+bool is_dropped(LineResult result) {
+  return result == LineResult::malformed || result == LineResult::out_of_order;
+}
+
+double median(std::vector<double> values) {
+  if (values.empty()) return 0.0;
+  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
+  std::nth_element(values.begin(), middle, values.end());
+  return *middle;
+}
+
+LineLog drive(sim::Tour& tour, Modeler& modeler, sim::TruthCollector& truth,
+              const ProgressCallback& progress) {
+  LineLog log;
+  while (const std::optional<sim::Scan> scan = tour.next_scan()) {
+    const LaserBeams beams = beams_of(*scan);
+    const LinePoses poses = noisy_poses(tour, beams);
+    LineResult result = LineResult::modelled;
+    log.line_s.push_back(seconds_of([&] { result = modeler.add_scan_line(beams, poses); }));
+    log.total_s += log.line_s.back();
+    log.dropped += is_dropped(result) ? 1 : 0;
+    truth.add(*scan, tour);
+    progress({log.line_s.size(), tour.line_count(), modeler.statistics().ribbons,
+              to_seconds(beams.stamp) / log.total_s});
+  }
+  return log;
+}
+
+/// Ground truth at the stamps of a trajectory.
+std::vector<StampedPose> true_poses(const sim::Tour& tour, std::vector<StampedPose> trajectory) {
+  for (StampedPose& pose : trajectory) pose.T_map_base = tour.true_T_map_base(pose.stamp);
+  return trajectory;
+}
+
+std::vector<Patch> patches_of(const sim::TruthCollector& truth) {
+  std::vector<Patch> patches;
+  for (const sim::TruthPlane& plane : truth.planes()) {
+    patches.push_back({plane.normal, plane.d_m, plane.area_m2, plane.cells});
+  }
+  return patches;
+}
+
+Summary summary_of(const LineLog& log, const sim::Tour& tour, const Modeler& modeler) {
+  Summary summary;
+  summary.lines = log.line_s.size();
+  summary.dropped_lines = log.dropped;
+  summary.ribbons = modeler.statistics().ribbons;
+  summary.us_per_line = 1e6 * median(log.line_s);
+  summary.real_time_factor = to_seconds(tour.duration()) / log.total_s;
+  return summary;
+}
+
+}  // namespace
+
+Results run_experiment(const sim::World& world, const sim::Route& route,
+                       const sim::TourConfig& tour_config, const ModelerConfig& modeler_config,
+                       const ProgressCallback& progress) {
+  sim::Tour tour(world, route, tour_config);
+  Modeler modeler(modeler_config);
+  sim::TruthCollector truth(world);
+  const LineLog log = drive(tour, modeler, truth, progress);
+
+  Results results;
+  results.summary = summary_of(log, tour, modeler);
+  results.truth = patches_of(truth);
+  results.models.noisy_raw = modeler.planes();
+  results.models.noisy_merged = modeler.merged_planes();
+  results.trajectory_before = modeler.trajectory();
+  results.trajectory_truth = true_poses(tour, modeler.trajectory());
+
+  results.summary.correction_ms =
+      1e3 * seconds_of([&] { modeler.correct(results.trajectory_truth); });
+  results.models.corrected_raw = modeler.planes();
+  results.models.corrected_merged = modeler.merged_planes();
+  results.trajectory_after = modeler.trajectory();
+  evaluate(results);
+  return results;
+}
+
+}  // namespace ribbon_mapper::eval

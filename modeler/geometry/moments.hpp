@@ -1,0 +1,68 @@
+// SPDX-FileCopyrightText: 2026 ribbon_mapper authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <Eigen/Core>
+#include <array>
+
+#include "modeler/geometry/pose.hpp"
+
+namespace ribbon_mapper {
+
+/// Closed-form statistics of a set of points: weight, sum p and sum p p^T. Sets are united by
+/// adding, moved rigidly by a few dozen multiplications, and need no points for either.
+class Moments {
+ public:
+  void add(const Eigen::Vector3d& point) {
+    const double x = point.x(), y = point.y(), z = point.z();
+    const std::array<double, 10> one{1.0,   x,     y,     z,     x * x,
+                                     x * y, x * z, y * y, y * z, z * z};
+    for (std::size_t i = 0; i < 10; ++i) sums_[i] += one[i];
+  }
+  Moments& operator+=(const Moments& other) {
+    for (std::size_t i = 0; i < 10; ++i) sums_[i] += other.sums_[i];
+    return *this;
+  }
+  Moments& operator-=(const Moments& other) {
+    for (std::size_t i = 0; i < 10; ++i) sums_[i] -= other.sums_[i];
+    return *this;
+  }
+  Moments& operator*=(double weight) {
+    for (double& sum : sums_) sum *= weight;
+    return *this;
+  }
+
+  double weight() const { return sums_[0]; }
+  Eigen::Vector3d mean() const {
+    return Eigen::Vector3d(sums_[1], sums_[2], sums_[3]) / sums_[0];
+  }
+  /// Second moments about the mean, divided by the weight [m2].
+  Eigen::Matrix3d covariance() const;
+  /// Mean square of the signed distances n.p + d [m2].
+  double mean_square_distance(const Eigen::Vector3d& normal, double d_m) const;
+  /// The same points in another frame.
+  Moments transformed(const Pose& T_target_source) const;
+
+ private:
+  std::array<double, 10> sums_{};  // 1, x, y, z, xx, xy, xz, yy, yz, zz
+};
+
+inline Moments operator+(Moments a, const Moments& b) { return a += b; }
+inline Moments operator-(Moments a, const Moments& b) { return a -= b; }
+inline Moments operator*(double weight, Moments moments) { return moments *= weight; }
+
+/// Least-squares plane through weighted points: principal component analysis (section 4.1).
+struct PlaneFit {
+  Eigen::Vector3d mean = Eigen::Vector3d::Zero();
+  /// Variances along the axes, ascending [m2]: across the plane, the smaller and the larger extent.
+  Eigen::Vector3d variances = Eigen::Vector3d::Zero();
+  Eigen::Matrix3d axes = Eigen::Matrix3d::Identity();  ///< columns, as `variances`
+
+  Eigen::Vector3d normal() const { return axes.col(0); }  ///< either side
+  double d_m() const { return -normal().dot(mean); }
+};
+
+/// Needs at least three points; the normal of fewer, or of points on one line, is arbitrary.
+PlaneFit fit_plane(const Moments& moments);
+
+}  // namespace ribbon_mapper

@@ -1,0 +1,189 @@
+// SPDX-FileCopyrightText: 2026 ribbon_mapper authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "modeler/ribbon/ribbon_extraction.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace ribbon_mapper {
+namespace {
+
+constexpr double degree = M_PI / 180.0;
+
+Moments three_lines(const LineBuffer& buffer, std::size_t begin, std::size_t end) {
+  return buffer.previous().moments(begin, end) + buffer.middle().moments(begin, end) +
+         buffer.next().moments(begin, end);
+}
+
+}  // namespace
+
+RibbonExtraction::RibbonExtraction(const ScanConfig& scan, const RibbonConfig& config)
+    : scan_(scan), config_(config), grid_(config.grid_cell_deg) {}
+
+const std::vector<Ribbon>& RibbonExtraction::extract(const LineBuffer& buffer) {
+  const ScanLine& line = buffer.middle();
+  sensor_origin_ = line.origins[line.size() / 2];
+  estimate_surfels(buffer, scan_, config_, surfels_);
+  cluster_orientations();
+  find_runs(line);
+  ribbons_.clear();
+  taken_.assign(line.size(), 0);
+  for (const Run& run : runs_) make_ribbon(buffer, run);
+  std::sort(ribbons_.begin(), ribbons_.end(),
+            [](const Ribbon& a, const Ribbon& b) { return a.first_beam < b.first_beam; });
+  return ribbons_;
+}
+
+/// Peak by peak, the surfels around its normal become a cluster.
+void RibbonExtraction::cluster_orientations() {
+  cluster_.assign(surfels_.size(), no_cluster);
+  clusters_ = 0;
+  grid_.clear();
+  for (const Surfel& surfel : surfels_) grid_.vote(surfel.normal, surfel.area_m2);
+  std::vector<char> voted(surfels_.size(), 1);
+  const double least_cosine = std::cos(config_.cluster_angle_deg * degree);
+  for (;;) {
+    OrientationGrid::Peak peak = grid_.peak();
+    if (peak.area_m2 <= 1e-9) return;
+    double area_m2 = 0.0;
+    Eigen::Vector3d mean = peak.normal;
+    for (int pass = 0; pass < 2; ++pass) {  // the mean of all around it is better than the cell's
+      members_.clear();
+      area_m2 = 0.0;
+      Eigen::Vector3d sum = Eigen::Vector3d::Zero();
+      for (std::size_t i = 0; i < surfels_.size(); ++i) {
+        if (!voted[i] || surfels_[i].normal.dot(mean) < least_cosine) continue;
+        members_.push_back(i);
+        area_m2 += surfels_[i].area_m2;
+        sum += surfels_[i].area_m2 * surfels_[i].normal;
+      }
+      if (members_.empty()) return;
+      mean = sum.normalized();
+    }
+    for (const std::size_t i : members_) {
+      voted[i] = 0;
+      grid_.withdraw(surfels_[i].normal, surfels_[i].area_m2);
+    }
+    cluster_normal_ = mean;
+    if (area_m2 >= config_.least_cluster_area_m2) split_by_distance(members_);
+  }
+}
+
+/// The second step of the classification: one cluster for each distance from the sensor.
+void RibbonExtraction::split_by_distance(std::vector<std::size_t>& members) {
+  const auto distance = [this](std::size_t i) {
+    return cluster_normal_.dot(surfels_[i].point - sensor_origin_);
+  };
+  std::sort(members.begin(), members.end(), [&](std::size_t a, std::size_t b) {
+    const double da = distance(a), db = distance(b);
+    return da != db ? da < db : a < b;
+  });
+  for (std::size_t k = 0; k < members.size(); ++k) {
+    if (k == 0 || distance(members[k]) - distance(members[k - 1]) > config_.distance_gap_m) {
+      ++clusters_;
+    }
+    cluster_[members[k]] = clusters_ - 1;
+  }
+}
+
+/// Surfels of one cluster that follow each other on one segment of the line.
+void RibbonExtraction::find_runs(const ScanLine& line) {
+  runs_.clear();
+  for (std::size_t i = 0; i < surfels_.size();) {
+    Run run{surfels_[i].beam, surfels_[i].beam + 1u, surfels_[i].area_m2};
+    std::size_t next = i + 1;
+    for (; next < surfels_.size() && cluster_[next] == cluster_[i]; ++next) {
+      if (surfels_[next].beam >= line.end_of_segment[run.begin]) break;
+      run.end = surfels_[next].beam + 1u;
+      run.area_m2 += surfels_[next].area_m2;
+    }
+    if (cluster_[i] != no_cluster) runs_.push_back(run);
+    i = next;
+  }
+  std::stable_sort(runs_.begin(), runs_.end(),
+                   [](const Run& a, const Run& b) { return a.area_m2 > b.area_m2; });
+}
+
+/// Takes in the points next to a run while they lie on its plane.
+RibbonExtraction::Run RibbonExtraction::grow(const ScanLine& line, Run run,
+                                             const PlaneFit& plane) const {
+  const double limit = config_.outlier_sigmas * scan_.range_sigma_m;
+  const auto fits = [&](std::size_t beam) {
+    return !taken_[beam] && std::abs(plane.normal().dot(line.points[beam] - plane.mean)) <= limit;
+  };
+  const std::size_t first = line.first_of_segment[run.begin];
+  const std::size_t end = line.end_of_segment[run.begin];
+  while (run.begin > first && fits(run.begin - 1)) --run.begin;
+  while (run.end < end && fits(run.end)) ++run.end;
+  while (run.begin < run.end && !fits(run.begin)) ++run.begin;
+  while (run.end > run.begin && !fits(run.end - 1)) --run.end;
+  return run;
+}
+
+/// Where the three lines straddle an edge, their common plane is a blend of both faces and the
+/// middle line lies off it; on a plane its mean differs from it by noise alone.
+bool RibbonExtraction::straddles_an_edge(const LineBuffer& buffer, const Run& core,
+                                         const PlaneFit& plane) const {
+  const Moments middle = buffer.middle().moments(core.begin, core.end);
+  const double offset = std::abs(plane.normal().dot(middle.mean() - plane.mean));
+  const double standard_error = std::sqrt(plane.variances[0] * 1.5 / middle.weight());
+  return offset > config_.bevel_sigmas * standard_error + config_.bevel_slack_m;
+}
+
+void RibbonExtraction::make_ribbon(const LineBuffer& buffer, const Run& run) {
+  const ScanLine& line = buffer.middle();
+  Run core = run;
+  if (core.end - core.begin < 2 * static_cast<std::size_t>(config_.least_points)) {
+    const Neighbourhood around =
+        neighbourhood_of(buffer, (core.begin + core.end) / 2, config_.neighbourhood_m);
+    if (around.size() == 0) return;
+    core.begin = std::min(core.begin, around.begin);
+    core.end = std::max(core.end, around.end);
+  }
+  const Moments all = three_lines(buffer, core.begin, core.end);
+  const PlaneFit plane = fit_plane(all);
+  const double noise = config_.outlier_sigmas * scan_.range_sigma_m;
+  if (plane.variances[0] > noise * noise || straddles_an_edge(buffer, core, plane)) return;
+  core = grow(line, core, plane);
+  if (core.end < core.begin + static_cast<std::size_t>(config_.least_points)) return;
+
+  const Pose T_base_odom = line.T_odom_base.inverse();
+  Ribbon ribbon;
+  ribbon.first_beam = static_cast<std::uint32_t>(core.begin);
+  ribbon.last_beam = static_cast<std::uint32_t>(core.end - 1);
+  const Eigen::Vector3d chord = line.points[core.end - 1] - line.points[core.begin];
+  ribbon.length_m = chord.norm();
+  if (ribbon.length_m < config_.least_length_m) return;
+  ribbon.moments = line.moments(core.begin, core.end).transformed(T_base_odom);
+  const double side = plane.normal().dot(line.directions[core.begin]) > 0.0 ? -1.0 : 1.0;
+  ribbon.normal = T_base_odom.linear() * (side * plane.normal());
+  ribbon.along = T_base_odom.linear() * (chord / ribbon.length_m);
+  ribbon.sigma_across_rad = std::sqrt(plane.variances[0] / (all.weight() * plane.variances[1]));
+  for (std::size_t beam = core.begin; beam < core.end; ++beam) {
+    taken_[beam] = 1;
+    ribbon.area_m2 += std::min(config_.area_cap_m2, surfel_area_m2(buffer, beam));
+  }
+  sample(line, plane, ribbon);
+  ribbons_.push_back(std::move(ribbon));
+}
+
+void RibbonExtraction::sample(const ScanLine& line, const PlaneFit& plane, Ribbon& ribbon) const {
+  const Pose T_base_odom = line.T_odom_base.inverse();
+  for (std::size_t begin = ribbon.first_beam; begin <= ribbon.last_beam;) {
+    std::size_t end = begin + 1;
+    while (end <= ribbon.last_beam &&
+           (line.points[end] - line.points[begin]).norm() < config_.sample_length_m) {
+      ++end;
+    }
+    const Moments moments = line.moments(begin, end);
+    RibbonSample sample;
+    sample.point = (T_base_odom * moments.mean()).cast<float>();
+    sample.square_m2 =
+        static_cast<float>(moments.mean_square_distance(plane.normal(), plane.d_m()));
+    sample.count = static_cast<std::uint32_t>(end - begin);
+    ribbon.samples.push_back(sample);
+    begin = end;
+  }
+}
+
+}  // namespace ribbon_mapper

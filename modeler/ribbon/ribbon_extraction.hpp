@@ -1,0 +1,52 @@
+// SPDX-FileCopyrightText: 2026 ribbon_mapper authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <vector>
+
+#include "modeler/ribbon/orientation_grid.hpp"
+#include "modeler/ribbon/ribbon.hpp"
+#include "modeler/ribbon/surfel.hpp"
+
+namespace ribbon_mapper {
+
+/// Section 4.2 on the three lines of a full buffer. Keeps its working memory from line to line, no
+/// state beyond it.
+class RibbonExtraction {
+ public:
+  RibbonExtraction(const ScanConfig& scan, const RibbonConfig& config);
+
+  /// Ribbons of the buffer's middle line in the order of its beams; `pose` is left 0.
+  /// Valid until the next call.
+  const std::vector<Ribbon>& extract(const LineBuffer& buffer);
+
+ private:
+  static constexpr int no_cluster = -1;
+  struct Run {
+    std::size_t begin, end;  // beams of the middle line
+    double area_m2;
+  };
+
+  void cluster_orientations();
+  void split_by_distance(std::vector<std::size_t>& members);
+  void find_runs(const ScanLine& line);
+  void make_ribbon(const LineBuffer& buffer, const Run& run);
+  Run grow(const ScanLine& line, Run run, const PlaneFit& plane) const;
+  void sample(const ScanLine& line, const PlaneFit& plane, Ribbon& ribbon) const;
+  bool straddles_an_edge(const LineBuffer& buffer, const Run& core, const PlaneFit& plane) const;
+
+  ScanConfig scan_;
+  RibbonConfig config_;
+  OrientationGrid grid_;
+  std::vector<Surfel> surfels_;
+  std::vector<int> cluster_;          // of each surfel
+  std::vector<std::size_t> members_;  // scratch
+  int clusters_ = 0;
+  Eigen::Vector3d cluster_normal_ = Eigen::Vector3d::UnitZ();
+  Eigen::Vector3d sensor_origin_ = Eigen::Vector3d::Zero();
+  std::vector<Run> runs_;
+  std::vector<char> taken_;  // beams that belong to a ribbon
+  std::vector<Ribbon> ribbons_;
+};
+
+}  // namespace ribbon_mapper

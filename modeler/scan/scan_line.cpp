@@ -1,0 +1,127 @@
+// SPDX-FileCopyrightText: 2026 ribbon_mapper authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "modeler/scan/scan_line.hpp"
+
+#include <cmath>
+
+namespace ribbon_mapper {
+namespace {
+
+/// Motion of the laser from the first to the last beam, with the fraction s in -0.5 .. 0.5 about
+/// the middle. The rotation is developed to second order in s: for the 0.02 rad that a PR2's tilt
+/// turns within a line, this is exact to 1e-7 rad.
+class LaserMotion {
+ public:
+  LaserMotion(const Pose& T_odom_laser_first, const Pose& T_odom_laser_last)
+      : middle_(interpolate(T_odom_laser_first, T_odom_laser_last, 0.5)),
+        travel_(T_odom_laser_last.translation() - T_odom_laser_first.translation()) {
+    const Eigen::AngleAxisd turn(T_odom_laser_last.linear() *
+                                 T_odom_laser_first.linear().transpose());
+    const Eigen::Vector3d rotation = turn.angle() * turn.axis();
+    for (int axis = 0; axis < 2; ++axis) {
+      first_order_.col(axis) = rotation.cross(middle_.linear().col(axis));
+      second_order_.col(axis) = 0.5 * rotation.cross(first_order_.col(axis));
+    }
+  }
+
+  Eigen::Vector3d origin(double s) const { return middle_.translation() + s * travel_; }
+
+  Eigen::Vector3d direction(double s, double angle_rad) const {
+    const Eigen::Vector2d beam(std::cos(angle_rad), std::sin(angle_rad));
+    return middle_.linear().leftCols<2>() * beam +
+           s * (first_order_ * beam + s * (second_order_ * beam));
+  }
+
+ private:
+  Pose middle_;
+  Eigen::Vector3d travel_;
+  Eigen::Matrix<double, 3, 2> first_order_, second_order_;
+};
+
+bool is_return(float range_m, const LaserBeams& beams, const ScanConfig& config) {
+  return std::isfinite(range_m) && range_m >= std::max(beams.range_min_m, config.least_range_m) &&
+         range_m <= std::min(beams.range_max_m, config.most_range_m);
+}
+
+void resize(ScanLine& line, std::size_t size) {
+  line.ranges_m.assign(size, 0.0F);
+  line.origins.resize(size);
+  line.directions.resize(size);
+  line.points.resize(size);
+  line.first_of_segment.resize(size);
+  line.end_of_segment.resize(size);
+  line.before.resize(size + 1);
+}
+
+/// Two beams next to each other belong to one surface unless they lie further apart than noise and
+/// a grazing view (about 7 degrees) explain.
+bool is_jump(const ScanLine& line, std::size_t beam, const ScanConfig& config) {
+  const double spacing = line.ranges_m[beam] * std::abs(line.angle_increment_rad);
+  const double limit = std::max(6.0 * config.range_sigma_m, 8.0 * spacing);
+  return (line.points[beam] - line.points[beam - 1]).squaredNorm() > limit * limit;
+}
+
+void find_segments(ScanLine& line, const ScanConfig& config) {
+  const std::size_t size = line.size();
+  for (std::size_t begin = 0; begin < size;) {
+    std::size_t end = begin + 1;
+    if (line.has_return(begin)) {
+      while (end < size && line.has_return(end) && !is_jump(line, end, config)) ++end;
+    }
+    for (std::size_t i = begin; i < end; ++i) {
+      line.first_of_segment[i] = static_cast<std::uint32_t>(begin);
+      line.end_of_segment[i] = static_cast<std::uint32_t>(end);
+    }
+    begin = end;
+  }
+}
+
+}  // namespace
+
+std::optional<std::string> defect_of(const LaserBeams& beams, const LinePoses& poses) {
+  if (!std::isfinite(beams.angle_min_rad) || !std::isfinite(beams.angle_increment_rad) ||
+      beams.angle_increment_rad == 0.0) {
+    return "angles are not finite, or angle_increment is 0";
+  }
+  if (!std::isfinite(beams.time_increment_s)) return "time_increment is not finite";
+  if (!(beams.range_min_m >= 0.0) || !(beams.range_max_m > beams.range_min_m)) {
+    return "range_min and range_max are not 0 <= range_min < range_max";
+  }
+  if (beams.ranges_m.size() * std::abs(beams.angle_increment_rad) > 2.0 * M_PI + 0.1) {
+    return "more ranges than angle_increment allows for one rotation";
+  }
+  for (const Pose* pose : {&poses.T_odom_base_first, &poses.T_odom_base_last,
+                           &poses.T_base_laser_first, &poses.T_base_laser_last, &poses.T_map_base}) {
+    if (!is_valid(*pose)) return "a pose is not finite or its rotation is not a rotation";
+  }
+  return std::nullopt;
+}
+
+void place_beams(const LaserBeams& beams, const LinePoses& poses, const ScanConfig& config,
+                 ScanLine& line) {
+  const LaserMotion motion(poses.T_odom_base_first * poses.T_base_laser_first,
+                           poses.T_odom_base_last * poses.T_base_laser_last);
+  line.stamp = middle_of(beams);
+  line.T_map_base = poses.T_map_base;
+  line.T_odom_base = interpolate(poses.T_odom_base_first, poses.T_odom_base_last, 0.5);
+  line.angle_increment_rad = beams.angle_increment_rad;
+  const std::size_t size = beams.ranges_m.size();
+  resize(line, size);
+  const double step = size > 1 ? 1.0 / (size - 1.0) : 0.0;
+  Moments sum;
+  for (std::size_t i = 0; i < size; ++i) {
+    const double s = config.deskew ? i * step - 0.5 : 0.0;
+    line.origins[i] = motion.origin(s);
+    line.directions[i] =
+        motion.direction(s, beams.angle_min_rad + i * beams.angle_increment_rad);
+    line.before[i] = sum;
+    if (!is_return(beams.ranges_m[i], beams, config)) continue;
+    line.ranges_m[i] = beams.ranges_m[i];
+    line.points[i] = line.origins[i] + beams.ranges_m[i] * line.directions[i];
+    sum.add(line.points[i]);
+  }
+  line.before[size] = sum;
+  find_segments(line, config);
+}
+
+}  // namespace ribbon_mapper

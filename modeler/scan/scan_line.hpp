@@ -1,0 +1,47 @@
+// SPDX-FileCopyrightText: 2026 ribbon_mapper authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <Eigen/Core>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "modeler/geometry/moments.hpp"
+#include "modeler/scan/laser_beams.hpp"
+#include "modeler/scan/scan_config.hpp"
+
+namespace ribbon_mapper {
+
+/// One rotation of the laser with every beam placed where the robot and the tilt were at that
+/// beam's own time, in the odom frame (continuous, so neighbouring lines fit each other even when
+/// map jumps). Beams without a return keep their place with range 0.
+struct ScanLine {
+  Time stamp{0};                 ///< half way between the first and the last beam
+  Pose T_map_base = Pose::Identity();   ///< acquisition pose
+  Pose T_odom_base = Pose::Identity();  ///< at the same time
+  double angle_increment_rad = 0.0;
+  std::vector<float> ranges_m;           ///< 0: no return
+  std::vector<Eigen::Vector3d> origins;  ///< of each beam, odom
+  std::vector<Eigen::Vector3d> directions;  ///< of each beam, odom, unit length
+  std::vector<Eigen::Vector3d> points;      ///< odom; meaningless where the range is 0
+  /// Beams [first_of_segment[i], end_of_segment[i]) have returns without a jump in depth.
+  std::vector<std::uint32_t> first_of_segment, end_of_segment;
+  std::vector<Moments> before;  ///< before[i]: moments of the returns among beams 0 .. i-1
+
+  std::size_t size() const { return ranges_m.size(); }
+  bool has_return(std::size_t beam) const { return ranges_m[beam] > 0.0F; }
+  /// Moments of the returns among beams [begin, end).
+  Moments moments(std::size_t begin, std::size_t end) const { return before[end] - before[begin]; }
+};
+
+/// What is wrong with the beams or the poses of a line; nothing if they are usable.
+std::optional<std::string> defect_of(const LaserBeams& beams, const LinePoses& poses);
+
+/// Places the beams. `beams` and `poses` must be free of defects. `line` is overwritten and keeps
+/// its capacity.
+void place_beams(const LaserBeams& beams, const LinePoses& poses, const ScanConfig& config,
+                 ScanLine& line);
+
+}  // namespace ribbon_mapper
