@@ -22,7 +22,7 @@ constexpr double kDepthEdge_m = 0.05;
 
 /// A ray towards the last range first: the tree is walked only that far. What it finds is the
 /// nearest all the same.
-constexpr double kGuessMargin_m = 0.25;
+constexpr double kGuessMargin_m = 0.1;
 
 std::optional<Hit> cast_near(const World& world, const Eigen::Vector3d& origin,
                              const Eigen::Vector3d& direction, double guess_m, double max_range_m) {
@@ -113,7 +113,12 @@ Scan Hokuyo::scan(const World& world, Time stamp, const LaserPose& T_map_laser) 
   scan.scan_time_s = 1.0 / config_.rate_hz;
   scan.range_min_m = config_.range_min_m;
   scan.range_max_m = config_.range_max_m;
+  const auto count = static_cast<std::size_t>(beam_count());
   std::vector<Beam> beams;
+  beams.reserve(count);
+  scan.ranges_m.reserve(count);
+  scan.true_ranges_m.reserve(count);
+  scan.faces.reserve(count);
   double guess_m = config_.range_max_m;
   for (int i = 0; i < beam_count(); ++i) {
     beams.push_back(beam(stamp, T_map_laser, i));
