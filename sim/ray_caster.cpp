@@ -14,6 +14,10 @@ namespace {
 /// Barycentric slack: no ray slips through the common edge of two triangles.
 constexpr double kEdgeSlack = 1e-9;
 
+/// Large triangles make poor trees: the boxes are those of pieces with edges up to this long. A ray
+/// is intersected with the whole triangle all the same.
+constexpr double kMaxPieceEdge_m = 3.0;
+
 /// A triangle as the intersection needs it.
 struct Facet {
   Eigen::Vector3d corner, edge_1, edge_2;
@@ -21,6 +25,22 @@ struct Facet {
 };
 
 btVector3 to_bullet(const Eigen::Vector3d& v) { return {v.x(), v.y(), v.z()}; }
+
+using Corners = std::array<Eigen::Vector3d, 3>;
+
+/// Halves the longest edge until it is short enough.
+template <typename Visitor>
+void for_each_piece(const Corners& corners, const Visitor& visit) {
+  int longest = 0;
+  const auto edge_m = [&](int i) { return (corners[(i + 1) % 3] - corners[i]).norm(); };
+  for (const int i : {1, 2})
+    if (edge_m(i) > edge_m(longest)) longest = i;
+  if (edge_m(longest) <= kMaxPieceEdge_m) return visit(corners);
+  const Eigen::Vector3d &from = corners[longest], &to = corners[(longest + 1) % 3];
+  const Eigen::Vector3d &opposite = corners[(longest + 2) % 3], middle = (from + to) / 2.0;
+  for_each_piece(Corners{from, middle, opposite}, visit);
+  for_each_piece(Corners{middle, to, opposite}, visit);
+}
 
 /// Keeps the nearest facet of those whose boxes the ray meets.
 class NearestFacet : public btNodeOverlapCallback {
@@ -58,7 +78,7 @@ class NearestFacet : public btNodeOverlapCallback {
 struct RayCaster::Tree {
   std::vector<btScalar> vertices;
   std::vector<int> indices;
-  std::vector<Facet> facets;
+  std::vector<Facet> facets;  ///< one for each piece
   std::unique_ptr<btTriangleIndexVertexArray> array;
   std::unique_ptr<btBvhTriangleMeshShape> shape;
 };
@@ -66,14 +86,17 @@ struct RayCaster::Tree {
 RayCaster::RayCaster(const std::vector<Triangle>& triangles) : tree_(std::make_unique<Tree>()) {
   for (const Triangle& triangle : triangles) {
     const auto& [a, b, c] = triangle.corners_m;
-    tree_->facets.push_back({a, b - a, c - a, triangle.face});
-    for (const Eigen::Vector3d& corner : triangle.corners_m) {
-      tree_->indices.push_back(static_cast<int>(tree_->indices.size()));
-      tree_->vertices.insert(tree_->vertices.end(), corner.data(), corner.data() + 3);
-    }
+    const Facet facet{a, b - a, c - a, triangle.face};
+    for_each_piece(triangle.corners_m, [&](const Corners& piece) {
+      tree_->facets.push_back(facet);
+      for (const Eigen::Vector3d& corner : piece) {
+        tree_->indices.push_back(static_cast<int>(tree_->indices.size()));
+        tree_->vertices.insert(tree_->vertices.end(), corner.data(), corner.data() + 3);
+      }
+    });
   }
   tree_->array = std::make_unique<btTriangleIndexVertexArray>(
-      static_cast<int>(triangles.size()), tree_->indices.data(), 3 * sizeof(int),
+      static_cast<int>(tree_->facets.size()), tree_->indices.data(), 3 * sizeof(int),
       static_cast<int>(tree_->indices.size()), tree_->vertices.data(), 3 * sizeof(btScalar));
   tree_->shape = std::make_unique<btBvhTriangleMeshShape>(tree_->array.get(), true);
 }
