@@ -31,6 +31,10 @@ std::optional<Hit> cast_near(const World& world, const Eigen::Vector3d& origin,
   return world.cast(origin, direction, max_range_m);
 }
 
+Eigen::Vector3d in_scan_plane(double angle_rad) {
+  return {std::cos(angle_rad), std::sin(angle_rad), 0.0};
+}
+
 }  // namespace
 
 RangeNoise range_noise_from(const std::string& name) {
@@ -74,11 +78,11 @@ void HokuyoConfig::validate() const {
 struct Hokuyo::Beam {
   Pose T_map_laser;
   double angle_rad;
+  Eigen::Vector3d direction;  ///< in map
 
   Eigen::Vector3d origin() const { return T_map_laser.translation(); }
-  Eigen::Vector3d direction(double offset_rad = 0.0) const {
-    const double a = angle_rad + offset_rad;
-    return T_map_laser.linear() * Eigen::Vector3d(std::cos(a), std::sin(a), 0.0);
+  Eigen::Vector3d direction_beside(double offset_rad) const {
+    return T_map_laser.linear() * in_scan_plane(angle_rad + offset_rad);
   }
 };
 
@@ -89,6 +93,8 @@ Hokuyo::Hokuyo(const HokuyoConfig& config, std::uint64_t seed) : config_(config)
   const double ahead = std::floor(0.75 * kPi * per_rad);
   first_step_ = static_cast<int>(std::floor(ahead + config_.angle_min_rad * per_rad) - ahead);
   last_step_ = static_cast<int>(std::floor(ahead + config_.angle_max_rad * per_rad) - ahead);
+  for (int step = first_step_; step <= last_step_; ++step)
+    directions_.push_back(in_scan_plane(step * config_.angle_increment_rad));
 }
 
 Time Hokuyo::period() const { return from_seconds(1.0 / config_.rate_hz); }
@@ -100,8 +106,9 @@ Time Hokuyo::beam_time(int beam) const {
 Time Hokuyo::sweep_time() const { return beam_time(beam_count() - 1); }
 
 Hokuyo::Beam Hokuyo::beam(Time stamp, const LaserPose& T_map_laser, int index) const {
-  return {T_map_laser(stamp + beam_time(index)),
-          (first_step_ + index) * config_.angle_increment_rad};
+  const Pose T_map_laser_then = T_map_laser(stamp + beam_time(index));
+  return {T_map_laser_then, (first_step_ + index) * config_.angle_increment_rad,
+          T_map_laser_then.linear() * directions_[index]};
 }
 
 Scan Hokuyo::scan(const World& world, Time stamp, const LaserPose& T_map_laser) {
@@ -122,7 +129,7 @@ Scan Hokuyo::scan(const World& world, Time stamp, const LaserPose& T_map_laser) 
   double guess_m = config_.range_max_m;
   for (int i = 0; i < beam_count(); ++i) {
     beams.push_back(beam(stamp, T_map_laser, i));
-    const auto hit = cast_near(world, beams[i].origin(), beams[i].direction(), guess_m,
+    const auto hit = cast_near(world, beams[i].origin(), beams[i].direction, guess_m,
                                config_.range_max_m);
     scan.true_ranges_m.push_back(hit ? static_cast<float>(hit->range_m) : kNoReturn);
     scan.faces.push_back(hit ? hit->face : -1);
@@ -146,7 +153,7 @@ double Hokuyo::mixed(const World& world, const Beam& beam, const Scan& scan, int
   for (const int side : {-1, 1}) {
     if (!is_edge(index + side)) continue;
     const double half_step_rad = side * config_.angle_increment_rad / 2.0;
-    const auto rim = world.cast(beam.origin(), beam.direction(half_step_rad), config_.range_max_m);
+    const auto rim = world.cast(beam.origin(), beam.direction_beside(half_step_rad), config_.range_max_m);
     if (!rim || std::abs(rim->range_m - range_m) < kDepthEdge_m) continue;
     const double share = std::uniform_real_distribution<double>(0.0, 0.5)(random_);
     return range_m + share * (rim->range_m - range_m);

@@ -85,6 +85,7 @@ class Hokuyo {
 
   HokuyoConfig config_;
   int first_step_, last_step_;  ///< from straight ahead
+  std::vector<Eigen::Vector3d> directions_;  ///< of the beams, in the laser's frame
   std::mt19937_64 random_;
 };
 

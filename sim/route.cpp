@@ -79,10 +79,14 @@ Route::Route(double speed_m_s, double turn_rate_rad_s, std::vector<Eigen::Vector
   if (closed()) turn_to(first_yaw_rad);
 }
 
+Pose Route::end_pose() const {
+  return planar_pose(end_place_.x(), end_place_.y(), end_yaw_rad_);
+}
+
 void Route::turn_to(double yaw_rad) {
   const double turn_rad = wrapped(yaw_rad - end_yaw_rad_);
   if (std::abs(turn_rad) < 1e-9) return;
-  legs_.push_back({end_s_, end_place_, end_yaw_rad_, turn_rad < 0.0 ? -1.0 : 1.0,
+  legs_.push_back({end_s_, end_pose(), end_yaw_rad_, turn_rad < 0.0 ? -1.0 : 1.0,
                    Ramp(std::abs(turn_rad), turn_rate_rad_s_, pr2::kBaseTurnAcceleration_rad_s2)});
   end_s_ += legs_.back().ramp.duration_s();
   end_yaw_rad_ = yaw_rad;
@@ -90,7 +94,7 @@ void Route::turn_to(double yaw_rad) {
 
 void Route::drive_to(const Eigen::Vector2d& target) {
   const double way_m = (target - end_place_).norm();
-  legs_.push_back({end_s_, end_place_, end_yaw_rad_, 0.0,
+  legs_.push_back({end_s_, end_pose(), end_yaw_rad_, 0.0,
                    Ramp(way_m, speed_m_s_, pr2::kBaseAcceleration_m_s2)});
   end_s_ += legs_.back().ramp.duration_s();
   end_place_ = target;
@@ -98,9 +102,11 @@ void Route::drive_to(const Eigen::Vector2d& target) {
 }
 
 Pose Route::Leg::pose_at(double way) const {
-  if (turn_sign != 0.0) return planar_pose(from.x(), from.y(), yaw_rad + turn_sign * way);
-  return planar_pose(from.x() + way * std::cos(yaw_rad), from.y() + way * std::sin(yaw_rad),
-                     yaw_rad);
+  Pose T_map_base = T_map_start;
+  if (turn_sign != 0.0)
+    return planar_pose(T_map_base(0, 3), T_map_base(1, 3), yaw_rad + turn_sign * way);
+  T_map_base.translation() += way * T_map_start.linear().col(0);
+  return T_map_base;
 }
 
 Time Route::duration() const { return from_seconds(end_s_); }

@@ -60,12 +60,13 @@ class Route {
   /// A turn on the spot or a straight drive.
   struct Leg {
     double start_s;
-    Eigen::Vector2d from;
+    Pose T_map_start;
     double yaw_rad;
     double turn_sign;  ///< of a turn, 0 for a drive
     Ramp ramp;
     Pose pose_at(double way) const;
   };
+  Pose end_pose() const;
   void turn_to(double yaw_rad);
   void drive_to(const Eigen::Vector2d& target);
   const Leg& leg_at(double time_s) const;
