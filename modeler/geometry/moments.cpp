@@ -29,6 +29,12 @@ double Moments::mean_square_distance(const Eigen::Vector3d& normal, double d_m) 
   return std::max(0.0, square / weight());
 }
 
+void Moments::spread(const Eigen::Vector3d& offset) {
+  const double x = offset.x(), y = offset.y(), z = offset.z();
+  const std::array<double, 6> squares{x * x, x * y, x * z, y * y, y * z, z * z};
+  for (std::size_t i = 0; i < 6; ++i) sums_[4 + i] += weight() * squares[i];
+}
+
 Moments Moments::transformed(const Pose& T) const {
   const Eigen::Vector3d sum(sums_[1], sums_[2], sums_[3]);
   const Eigen::Matrix3d R = T.linear();

@@ -31,6 +31,8 @@ class Moments {
     for (double& sum : sums_) sum *= weight;
     return *this;
   }
+  /// Every point becomes a pair at +-`offset` from it: what a line of points knows across itself.
+  void spread(const Eigen::Vector3d& offset);
 
   double weight() const { return sums_[0]; }
   Eigen::Vector3d mean() const {

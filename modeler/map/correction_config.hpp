@@ -10,8 +10,6 @@ struct CorrectionConfig {
   /// that follow are placed where tf says. False: tf goes on as if nothing had happened (the
   /// simulated SLAM, which does not close loops), so the last change is applied to them too.
   bool poses_follow = true;
-
-  void validate() const {}
 };
 
 }  // namespace ribbon_mapper

@@ -23,7 +23,9 @@ struct RibbonSample {
 struct Ribbon {
   std::uint32_t pose = 0;  ///< acquisition pose: index into the trajectory
   std::uint32_t first_beam = 0, last_beam = 0;
-  Moments moments;  ///< of its points on the middle line
+  /// Of its points on the middle line, spread across it by the base line of the three lines, so
+  /// that their plane is the ribbon's.
+  Moments moments;
   Eigen::Vector3d normal = Eigen::Vector3d::UnitZ();  ///< from three lines, towards the sensor
   Eigen::Vector3d along = Eigen::Vector3d::UnitX();   ///< unit direction of the run
   double sigma_across_rad = 0.0;  ///< error of the normal about `along`

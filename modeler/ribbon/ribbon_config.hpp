@@ -41,8 +41,6 @@ struct RibbonConfig {
 
   /// Points of a ribbon are kept for the cells as means over this length [m].
   double sample_length_m = 0.025;
-
-  void validate() const;
 };
 
 }  // namespace ribbon_mapper

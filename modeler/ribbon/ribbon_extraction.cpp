@@ -154,11 +154,15 @@ void RibbonExtraction::make_ribbon(const LineBuffer& buffer, const Run& run) {
   const Eigen::Vector3d chord = line.points[core.end - 1] - line.points[core.begin];
   ribbon.length_m = chord.norm();
   if (ribbon.length_m < config_.least_length_m) return;
-  ribbon.moments = line.moments(core.begin, core.end).transformed(T_base_odom);
   const double side = plane.normal().dot(line.directions[core.begin]) > 0.0 ? -1.0 : 1.0;
   ribbon.normal = T_base_odom.linear() * (side * plane.normal());
   ribbon.along = T_base_odom.linear() * (chord / ribbon.length_m);
-  ribbon.sigma_across_rad = std::sqrt(plane.variances[0] / (all.weight() * plane.variances[1]));
+  const Eigen::Vector3d across = plane.normal().cross(chord).normalized();
+  const double base_line_m = std::sqrt(across.dot(all.covariance() * across));
+  ribbon.sigma_across_rad = std::sqrt(plane.variances[0] / all.weight()) / base_line_m;
+  Moments moments = line.moments(core.begin, core.end);
+  moments.spread(base_line_m * across);
+  ribbon.moments = moments.transformed(T_base_odom);
   for (std::size_t beam = core.begin; beam < core.end; ++beam) {
     taken_[beam] = 1;
     ribbon.area_m2 += std::min(config_.area_cap_m2, surfel_area_m2(buffer, beam));

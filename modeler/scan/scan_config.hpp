@@ -21,8 +21,6 @@ struct ScanConfig {
   /// False: all beams of a line are placed at the pose of its middle (to measure what
   /// the de-skewing of section 5.1 is worth).
   bool deskew = true;
-
-  void validate() const;
 };
 
 }  // namespace ribbon_mapper

@@ -1,0 +1,50 @@
+// SPDX-FileCopyrightText: 2026 ribbon_mapper authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "modeler/modeler_config.hpp"
+
+namespace ribbon_mapper {
+
+/// Every key of the configuration with its allowed range: `visit(name, value, least, most)` for
+/// numbers, `visit(name, value)` for switches. What each is for stands beside its algorithm.
+template <typename Config, typename Visitor>
+void visit_keys(Config& config, Visitor& visit) {
+  auto& scan = config.scan;
+  visit("scan.range_sigma_m", scan.range_sigma_m, 1e-4, 1.0);
+  visit("scan.least_range_m", scan.least_range_m, 0.0, 100.0);
+  visit("scan.most_range_m", scan.most_range_m, 0.1, 1000.0);
+  visit("scan.base_line_sigmas", scan.base_line_sigmas, 0.0, 100.0);
+  visit("scan.deskew", scan.deskew);
+
+  auto& ribbon = config.ribbon;
+  visit("ribbon.neighbourhood_m", ribbon.neighbourhood_m, 0.01, 5.0);
+  visit("ribbon.grid_cell_deg", ribbon.grid_cell_deg, 0.5, 45.0);
+  visit("ribbon.cluster_angle_deg", ribbon.cluster_angle_deg, 1.0, 60.0);
+  visit("ribbon.area_cap_m2", ribbon.area_cap_m2, 1e-6, 10.0);
+  visit("ribbon.least_cluster_area_m2", ribbon.least_cluster_area_m2, 0.0, 10.0);
+  visit("ribbon.distance_gap_m", ribbon.distance_gap_m, 1e-3, 10.0);
+  visit("ribbon.outlier_sigmas", ribbon.outlier_sigmas, 1.0, 10.0);
+  visit("ribbon.bevel_sigmas", ribbon.bevel_sigmas, 1.0, 100.0);
+  visit("ribbon.bevel_slack_m", ribbon.bevel_slack_m, 0.0, 1.0);
+  visit("ribbon.least_length_m", ribbon.least_length_m, 0.01, 10.0);
+  visit("ribbon.least_points", ribbon.least_points, 3, 1000);
+  visit("ribbon.sample_length_m", ribbon.sample_length_m, 1e-3, 1.0);
+
+  auto& map = config.map;
+  visit("map.slam.angle_deg", map.slam.angle_deg, 0.1, 45.0);
+  visit("map.slam.distance_m", map.slam.distance_m, 1e-3, 10.0);
+  visit("map.corrected.angle_deg", map.corrected.angle_deg, 0.1, 45.0);
+  visit("map.corrected.distance_m", map.corrected.distance_m, 1e-3, 10.0);
+  visit("map.bridged_gap_m", map.bridged_gap_m, 0.05, 10.0);
+  visit("map.cell_size_m", map.cell_size_m, 0.01, 1.0);
+  visit("map.confirmed_ribbons", map.confirmed_ribbons, 1, 100000);
+  visit("map.confirmed_area_m2", map.confirmed_area_m2, 0.0, 1000.0);
+  visit("map.least_area_m2", map.least_area_m2, 0.0, 1000.0);
+  visit("map.bevel_tolerance_m", map.bevel_tolerance_m, 0.0, 1.0);
+  visit("map.bevel_reach_m", map.bevel_reach_m, 0.01, 10.0);
+
+  visit("correction.poses_follow", config.correction.poses_follow);
+}
+
+}  // namespace ribbon_mapper

@@ -1,0 +1,86 @@
+// SPDX-FileCopyrightText: 2026 ribbon_mapper authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "modeler/io/config_file.hpp"
+
+#include <yaml-cpp/yaml.h>
+
+#include <map>
+#include <stdexcept>
+
+#include "modeler/config_keys.hpp"
+
+namespace ribbon_mapper {
+namespace {
+
+using Values = std::map<std::string, YAML::Node>;  // by "section.key"
+
+void flatten(const YAML::Node& node, const std::string& prefix, Values& values) {
+  for (const auto& entry : node) {
+    const std::string key = prefix + entry.first.as<std::string>();
+    if (entry.second.IsMap()) {
+      flatten(entry.second, key + ".", values);
+    } else if (!values.emplace(key, entry.second).second) {
+      throw std::invalid_argument(key + " is given twice");
+    }
+  }
+}
+
+/// Takes the value of each known key out of `values`.
+struct Assignment {
+  Values& values;
+  std::string known;
+
+  template <typename Number>
+  void operator()(const char* key, Number& value, double, double) {
+    assign(key, value, "a number");
+  }
+  void operator()(const char* key, bool& value) { assign(key, value, "true or false"); }
+
+ private:
+  template <typename Value>
+  void assign(const char* key, Value& value, const char* kind) {
+    known += std::string("\n  ") + key;
+    const auto found = values.find(key);
+    if (found == values.end()) return;
+    try {
+      value = found->second.as<Value>();
+    } catch (const YAML::Exception&) {
+      throw std::invalid_argument(std::string(key) + " must be " + kind);
+    }
+    values.erase(found);
+  }
+};
+
+ModelerConfig read(const std::string& path) {
+  const YAML::Node root = YAML::LoadFile(path);
+  if (!root.IsMap() && !root.IsNull()) {
+    throw std::invalid_argument("sections with keys are expected, as in config/pr2.yaml");
+  }
+  Values values;
+  flatten(root, "", values);
+  ModelerConfig config;
+  Assignment assignment{values, {}};
+  visit_keys(config, assignment);
+  if (!values.empty()) {
+    throw std::invalid_argument("unknown key " + values.begin()->first + "; known are" +
+                                assignment.known);
+  }
+  config.validate();
+  return config;
+}
+
+}  // namespace
+
+ModelerConfig load_config(const std::string& path) {
+  try {
+    return read(path);
+  } catch (const YAML::BadFile&) {
+    throw std::invalid_argument(path + ": cannot be read: is there such a file?");
+  } catch (const YAML::Exception& error) {
+    throw std::invalid_argument(path + ": " + error.what());
+  } catch (const std::invalid_argument& error) {
+    throw std::invalid_argument(path + ": " + error.what());
+  }
+}
+
+}  // namespace ribbon_mapper

@@ -1,0 +1,90 @@
+// SPDX-FileCopyrightText: 2026 ribbon_mapper authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "modeler/map/hypothesis.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace ribbon_mapper {
+namespace {
+
+constexpr double degree = M_PI / 180.0;
+constexpr double least_cosine_of_side = 0.5;
+// An error of a normal excuses no more than this, however short the base line.
+constexpr double max_excuse_rad = 10.0 * degree;
+
+double tilt(const Eigen::Vector3d& normal, const Eigen::Vector3d& direction) {
+  return std::asin(std::min(1.0, std::abs(normal.dot(direction))));
+}
+
+double square(double x) { return x * x; }
+
+}  // namespace
+
+void Hypothesis::add(const PosedRibbon& ribbon, const Member& member) {
+  const double weight = ribbon.ribbon->area_m2 * member.probability;
+  moments_ += (weight / ribbon.moments.weight()) * ribbon.moments;
+  side_ += weight * ribbon.normal;
+  points_ += ribbon.moments.weight();
+  members_.push_back(member);
+  refit();
+}
+
+void Hypothesis::absorb(const Hypothesis& other) {
+  moments_ += other.moments_;
+  side_ += other.side_;
+  points_ += other.points_;
+  members_.insert(members_.end(), other.members_.begin(), other.members_.end());
+  refit();
+}
+
+void Hypothesis::refit() {
+  fit_ = fit_plane(moments_);
+  normal_ = fit_.normal().dot(side_) < 0.0 ? Eigen::Vector3d(-fit_.normal()) : fit_.normal();
+  d_m_ = -normal_.dot(fit_.mean);
+}
+
+double Hypothesis::tilt_sigma(const Eigen::Vector3d& direction) const {
+  double square_sum = 0.0;
+  for (int axis = 1; axis < 3; ++axis) {
+    square_sum += square(direction.dot(fit_.axes.col(axis))) / fit_.variances[axis];
+  }
+  return std::sqrt(fit_.variances[0] / points_ * square_sum);
+}
+
+double membership(const PosedRibbon& ribbon, const Hypothesis& plane,
+                  const AssociationGates& gates) {
+  if (plane.normal().dot(ribbon.normal) < least_cosine_of_side) return 0.0;
+  const double distance = std::abs(plane.signed_distance(ribbon.centroid)) / gates.distance_m;
+  if (distance > 1.0) return 0.0;
+  const double gate = gates.angle_deg * degree;
+  const double excuse_along = 2.0 * plane.tilt_sigma(ribbon.along);
+  const double excuse_across =
+      2.0 * std::hypot(plane.tilt_sigma(ribbon.across), ribbon.ribbon->sigma_across_rad);
+  const double along =
+      tilt(plane.normal(), ribbon.along) / (gate + std::min(max_excuse_rad, excuse_along));
+  const double across =
+      tilt(plane.normal(), ribbon.across) / (gate + std::min(max_excuse_rad, excuse_across));
+  if (along > 1.0 || across > 1.0) return 0.0;
+  // The gates are two sigma.
+  return std::exp(-2.0 * (square(distance) + square(along) + square(across)));
+}
+
+bool are_one_plane(const Hypothesis& larger, const Hypothesis& smaller,
+                   const AssociationGates& gates) {
+  if (larger.normal().dot(smaller.normal()) < least_cosine_of_side) return false;
+  const double ms = smaller.moments().mean_square_distance(larger.normal(), larger.d_m());
+  if (ms > square(gates.distance_m)) return false;
+  for (int axis = 1; axis < 3; ++axis) {
+    const Eigen::Vector3d direction = smaller.fit().axes.col(axis);
+    const double excuse =
+        2.0 * std::hypot(larger.tilt_sigma(direction), smaller.tilt_sigma(direction));
+    if (tilt(larger.normal(), direction) >
+        gates.angle_deg * degree + std::min(max_excuse_rad, excuse)) {
+      return false;
+    }
+  }
+  return true;
+}
+
+}  // namespace ribbon_mapper

@@ -1,0 +1,24 @@
+// SPDX-FileCopyrightText: 2026 ribbon_mapper authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <vector>
+
+#include "modeler/map/evidence.hpp"
+#include "modeler/map/hypothesis.hpp"
+#include "modeler/map/plane.hpp"
+#include "modeler/map/plane_map_config.hpp"
+
+namespace ribbon_mapper {
+
+/// Planes with their cells from the hypotheses that are confirmed as built on the way: with ribbons
+/// and a seen area enough. In the map frame, without outlines.
+std::vector<Plane> confirmed_planes(const std::vector<Hypothesis>& hypotheses,
+                                    const Evidence& evidence, const PlaneMapConfig& config);
+
+/// The final filtering, on hypotheses that were merged: planes fall apart where a gap is too wide
+/// to be bridged; small planes and bevels are dropped. In the map frame, with outlines.
+std::vector<Plane> filtered_planes(const std::vector<Hypothesis>& hypotheses,
+                                   const Evidence& evidence, const PlaneMapConfig& config);
+
+}  // namespace ribbon_mapper

@@ -1,0 +1,139 @@
+// SPDX-FileCopyrightText: 2026 ribbon_mapper authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "modeler/map/plane_map.hpp"
+
+#include <algorithm>
+#include <map>
+#include <set>
+#include <unordered_map>
+
+namespace ribbon_mapper {
+
+PlaneMap::PlaneMap(const PlaneMapConfig& config, const AssociationGates& gates,
+                   std::int64_t first_id)
+    : gates_(gates), index_(config.bridged_gap_m), next_id_(first_id) {}
+
+void PlaneMap::add(const PosedRibbon& ribbon, std::uint32_t index) {
+  index_.voxels_of(ribbon, voxels_);
+  index_.near(voxels_, near_);
+  double best = 0.0;
+  std::uint32_t slot = 0;
+  others_.clear();
+  for (const std::uint32_t candidate : near_) {
+    const double probability = membership(ribbon, hypotheses_[candidate], gates_);
+    if (probability <= 0.0) continue;
+    others_.push_back(candidate);
+    if (probability > best) best = probability, slot = candidate;
+  }
+  if (others_.empty()) {
+    slot = static_cast<std::uint32_t>(hypotheses_.size());
+    hypotheses_.emplace_back(next_id_++);
+    best = 1.0;
+  }
+  hypotheses_[slot].add(ribbon, {index, static_cast<float>(best)});
+  index_.enter(slot, voxels_);
+  if (others_.size() > 1) merge_with(others_, slot);
+}
+
+/// A ribbon that fits several hypotheses is where they meet: those that are one plane merge.
+void PlaneMap::merge_with(const std::vector<std::uint32_t>& others, std::uint32_t slot) {
+  for (const std::uint32_t other : others) {
+    if (other == slot) continue;
+    const bool is_larger = hypotheses_[slot].area_m2() >= hypotheses_[other].area_m2();
+    const std::uint32_t larger = is_larger ? slot : other;
+    const std::uint32_t smaller = is_larger ? other : slot;
+    if (!are_one_plane(hypotheses_[larger], hypotheses_[smaller], gates_)) continue;
+    merge(larger, smaller);
+    slot = larger;
+  }
+}
+
+void PlaneMap::merge(std::uint32_t into, std::uint32_t from) {
+  const std::int64_t id = std::min(hypotheses_[into].id, hypotheses_[from].id);
+  hypotheses_[into].absorb(hypotheses_[from]);
+  hypotheses_[into].id = id;
+  hypotheses_[from] = Hypothesis(hypotheses_[from].id);
+  index_.unite(into, from);
+}
+
+std::vector<Hypothesis> PlaneMap::hypotheses() const {
+  std::vector<Hypothesis> alive;
+  for (std::uint32_t slot = 0; slot < hypotheses_.size(); ++slot) {
+    if (is_alive(slot)) alive.push_back(hypotheses_[slot]);
+  }
+  std::sort(alive.begin(), alive.end(),
+            [](const Hypothesis& a, const Hypothesis& b) { return a.id < b.id; });
+  return alive;
+}
+
+std::vector<Hypothesis> PlaneMap::merged_hypotheses() const {
+  PlaneMap work = *this;
+  std::vector<std::uint32_t> order;
+  for (std::uint32_t slot = 0; slot < hypotheses_.size(); ++slot) {
+    if (is_alive(slot)) order.push_back(slot);
+  }
+  std::stable_sort(order.begin(), order.end(), [this](std::uint32_t a, std::uint32_t b) {
+    return hypotheses_[a].area_m2() > hypotheses_[b].area_m2();
+  });
+  bool changed = true;
+  while (changed) {
+    changed = false;
+    for (const std::uint32_t slot : order) changed |= work.absorb_neighbours(slot);
+  }
+  return work.hypotheses();
+}
+
+bool PlaneMap::absorb_neighbours(std::uint32_t slot) {
+  if (!is_alive(slot)) return false;
+  bool changed = false;
+  index_.near(index_.touched_by(slot), near_);
+  for (const std::uint32_t other : near_) {
+    if (other == slot || !is_alive(other)) continue;
+    if (hypotheses_[other].area_m2() > hypotheses_[slot].area_m2()) continue;
+    if (!are_one_plane(hypotheses_[slot], hypotheses_[other], gates_)) continue;
+    const std::int64_t id = hypotheses_[slot].id;
+    merge(slot, other);
+    hypotheses_[slot].id = id;  // a plane does not take the name of a sliver
+    changed = true;
+  }
+  return changed;
+}
+
+void PlaneMap::take_ids_from(const PlaneMap& before) {
+  std::unordered_map<std::uint32_t, std::int64_t> id_before;  // of each ribbon
+  for (const Hypothesis& plane : before.hypotheses_) {
+    for (const Member& member : plane.members()) id_before[member.ribbon] = plane.id;
+  }
+  struct Share {
+    std::size_t ribbons;
+    std::int64_t id;
+    std::uint32_t slot;
+  };
+  std::vector<Share> shares;
+  for (std::uint32_t slot = 0; slot < hypotheses_.size(); ++slot) {
+    std::map<std::int64_t, std::size_t> ribbons;
+    for (const Member& member : hypotheses_[slot].members()) {
+      const auto found = id_before.find(member.ribbon);
+      if (found != id_before.end()) ++ribbons[found->second];
+    }
+    for (const auto& [id, count] : ribbons) shares.push_back({count, id, slot});
+  }
+  std::stable_sort(shares.begin(), shares.end(),
+                   [](const Share& a, const Share& b) { return a.ribbons > b.ribbons; });
+  std::set<std::int64_t> taken;
+  std::set<std::uint32_t> named;
+  for (const Share& share : shares) {
+    if (taken.count(share.id) || named.count(share.slot)) continue;
+    hypotheses_[share.slot].id = share.id;
+    taken.insert(share.id);
+    named.insert(share.slot);
+  }
+}
+
+std::size_t PlaneMap::memory_bytes() const {
+  std::size_t bytes = index_.memory_bytes() + hypotheses_.capacity() * sizeof(Hypothesis);
+  for (const Hypothesis& plane : hypotheses_) bytes += plane.members().size() * sizeof(Member);
+  return bytes;
+}
+
+}  // namespace ribbon_mapper

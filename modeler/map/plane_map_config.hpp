@@ -1,0 +1,42 @@
+// SPDX-FileCopyrightText: 2026 ribbon_mapper authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+namespace ribbon_mapper {
+
+/// Within these a ribbon may belong to a plane (section 4.3): two sigma of what sensor and poses do.
+struct AssociationGates {
+  double angle_deg;   ///< between the ribbon and the plane
+  double distance_m;  ///< of the ribbon's centroid from the plane
+};
+
+/// How ribbons become planes (sections 4.3 and 6 of the paper).
+struct PlaneMapConfig {
+  /// On the way, with the poses of a SLAM: the tolerances learned in section 5.1, moving robot.
+  AssociationGates slam{3.2, 0.25};
+
+  /// After a correction, with poses that agree all along the way: three sigma of a range at its
+  /// noisiest (UTM-30LX: 0.018 m), and what that leaves of the normal of a small plane.
+  AssociationGates corrected{2.0, 0.05};
+
+  /// Gaps of at most this are bridged: a wall with a door in it is one plane [m]. Also how far from
+  /// a plane's ribbons another ribbon may lie to join it.
+  double bridged_gap_m = 1.0;
+
+  /// Side of the cells of a plane's grid [m].
+  double cell_size_m = 0.05;
+
+  /// A hypothesis is confirmed, as built on the way, from this many ribbons and this seen area on.
+  int confirmed_ribbons = 10;
+  double confirmed_area_m2 = 0.25;
+
+  /// Least seen area of a plane after the final merging [m2].
+  double least_area_m2 = 0.5;
+
+  /// A plane across a corner is told by its points' lying on larger planes within this (three sigma
+  /// of a range) [m], no further from their cells than about bevel_reach_m.
+  double bevel_tolerance_m = 0.04;
+  double bevel_reach_m = 0.2;
+};
+
+}  // namespace ribbon_mapper

@@ -1,0 +1,31 @@
+// SPDX-FileCopyrightText: 2026 ribbon_mapper authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <Eigen/Core>
+
+#include "modeler/geometry/moments.hpp"
+#include "modeler/geometry/pose.hpp"
+#include "modeler/ribbon/ribbon.hpp"
+
+namespace ribbon_mapper {
+
+/// A ribbon moved to where its acquisition pose is believed to be (eq. 5, exactly: the rigid
+/// transform of its points).
+struct PosedRibbon {
+  PosedRibbon(const Ribbon& source, const Pose& pose)
+      : ribbon(&source),
+        T_world_base(pose),
+        moments(source.moments.transformed(pose)),
+        centroid(moments.mean()),
+        normal(pose.linear() * source.normal),
+        along(pose.linear() * source.along),
+        across(normal.cross(along)) {}
+
+  const Ribbon* ribbon;
+  Pose T_world_base;
+  Moments moments;
+  Eigen::Vector3d centroid, normal, along, across;
+};
+
+}  // namespace ribbon_mapper

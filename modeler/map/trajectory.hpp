@@ -1,0 +1,36 @@
+// SPDX-FileCopyrightText: 2026 ribbon_mapper authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "modeler/geometry/pose.hpp"
+#include "modeler/map/correction.hpp"
+#include "modeler/map/correction_config.hpp"
+
+namespace ribbon_mapper {
+
+/// Acquisition poses: as they were recorded, and where they are believed to be now. Every
+/// correction is measured from the recorded ones.
+class Trajectory {
+ public:
+  explicit Trajectory(const CorrectionConfig& config) : config_(config) {}
+
+  /// Stamps must increase.
+  void add(const StampedPose& recorded);
+
+  /// Throws as Correction does; the trajectory is then as it was.
+  void correct(const std::vector<StampedPose>& corrected);
+
+  const std::vector<StampedPose>& poses() const { return current_; }
+  const StampedPose& recorded(std::size_t index) const { return recorded_[index]; }
+  bool is_corrected() const { return correction_.has_value(); }
+
+ private:
+  CorrectionConfig config_;
+  std::vector<StampedPose> recorded_, current_;
+  std::optional<Correction> correction_;
+};
+
+}  // namespace ribbon_mapper
