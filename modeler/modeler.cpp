@@ -104,18 +104,17 @@ std::vector<Plane> Modeler::merged_planes() const {
 const std::vector<StampedPose>& Modeler::trajectory() const { return state_->trajectory.poses(); }
 
 ModelStatistics Modeler::statistics() const {
+  return {state_->lines, state_->ribbons.size(), state_->revision};
+}
+
+std::size_t Modeler::memory_bytes() const {
   const State& s = *state_;
-  ModelStatistics statistics;
-  statistics.lines = s.lines;
-  statistics.ribbons = s.ribbons.size();
-  statistics.revision = s.revision;
-  statistics.memory_bytes = s.ribbons.capacity() * sizeof(Ribbon) +
-                            2 * s.trajectory.poses().capacity() * sizeof(StampedPose) +
-                            s.map.memory_bytes();
+  std::size_t bytes = s.ribbons.capacity() * sizeof(Ribbon) + s.map.memory_bytes() +
+                      2 * s.trajectory.poses().capacity() * sizeof(StampedPose);
   for (const Ribbon& ribbon : s.ribbons) {
-    statistics.memory_bytes += ribbon.samples.capacity() * sizeof(RibbonSample);
+    bytes += ribbon.samples.capacity() * sizeof(RibbonSample);
   }
-  return statistics;
+  return bytes;
 }
 
 }  // namespace ribbon_mapper

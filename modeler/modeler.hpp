@@ -27,7 +27,6 @@ struct ModelStatistics {
   std::size_t lines = 0;    ///< given to add_scan_line()
   std::size_t ribbons = 0;
   std::size_t revision = 0;  ///< number of corrections applied
-  std::size_t memory_bytes = 0;  ///< of ribbons, trajectory and hypotheses
 };
 
 /// Planes from the lines of a tilting laser; the model follows every correction of the trajectory.
@@ -68,6 +67,9 @@ class Modeler {
   const std::vector<StampedPose>& trajectory() const;
 
   ModelStatistics statistics() const;
+
+  /// Of ribbons, trajectory and hypotheses; takes a while.
+  std::size_t memory_bytes() const;
 
  private:
   struct State;
