@@ -37,7 +37,7 @@ std::string figure_data(const Results& results) {
     for (const Eigen::Vector2d& point : polygon) points.push_back({point.x(), point.y()});
   }
   nlohmann::ordered_json colours = nlohmann::ordered_json::object();
-  for (const auto* planes : {&results.models.noisy_raw, &results.models.corrected_merged}) {
+  for (const auto* planes : {&results.models.noisy_merged, &results.models.corrected_merged}) {
     for (const Plane& plane : *planes) {
       colours[std::to_string(plane.id)] = hex(plane_colour(plane.id));
     }
@@ -67,6 +67,8 @@ void write_results(const Results& results, const std::filesystem::path& director
   create_directory_for_files(directory);
   write_file_atomically(directory / "summary.json", summary_to_json(results.summary));
   write_file_atomically(directory / "planes_before.json", planes_to_json(results.models.noisy_raw));
+  write_file_atomically(directory / "planes_before_merged.json",
+                        planes_to_json(results.models.noisy_merged));
   write_file_atomically(directory / "planes_truth.json", planes_to_json(planes_of(results.truth)));
   write_file_atomically(directory / "trajectory_before.tum", to_tum(results.trajectory_before));
   write_file_atomically(directory / "trajectory_after.tum", to_tum(results.trajectory_after));

@@ -38,10 +38,10 @@ struct Results {
 void evaluate(Results& results);
 
 /// Writes into `directory` (created where needed), each file whole or not at all: summary.json,
-/// planes_before.json (noisy, as built), planes_truth.json, the model planes_after.{json,ply,bt}
-/// with planes_after_cells.ply (corrected, merged), trajectory_{before,after,truth}.tum and
-/// figure.json, all that draw_figure() reads. Throws std::runtime_error (which file, why, what to
-/// do).
+/// planes_before.json (noisy, as built), planes_before_merged.json, planes_truth.json, the model
+/// planes_after.{json,ply,bt} with planes_after_cells.ply (corrected, merged),
+/// trajectory_{before,after,truth}.tum and figure.json, all that draw_figure() reads. Throws
+/// std::runtime_error (which file, why, what to do).
 void write_results(const Results& results, const std::filesystem::path& directory);
 
 }  // namespace ribbon_mapper::eval

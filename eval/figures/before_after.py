@@ -5,8 +5,9 @@ the paper: planes projected on the ground.
 
 Usage: python3 before_after.py DIRECTORY
 
-Reads planes_before.json, planes_after.json, summary.json, figure.json and trajectory_*.tum from
-DIRECTORY, as the experiment writes them, and writes before_after.svg and before_after.png there.
+Reads planes_before_merged.json, planes_after.json, summary.json, figure.json and trajectory_*.tum
+from DIRECTORY, as the experiment writes them, and writes before_after.svg and before_after.png
+there.
 """
 
 import json
@@ -14,7 +15,10 @@ import os
 import pathlib
 import sys
 
-import matplotlib
+try:
+    import matplotlib
+except ImportError:
+    sys.exit("before_after.py: matplotlib is missing: sudo apt install python3-matplotlib")
 
 matplotlib.use("Agg")
 import matplotlib.pyplot as plt  # noqa: E402 (needs the backend)
@@ -22,13 +26,18 @@ from matplotlib.collections import LineCollection, PolyCollection  # noqa: E402
 from matplotlib.lines import Line2D  # noqa: E402
 from matplotlib.patches import Patch  # noqa: E402
 
-WALL_MAX_NORMAL_Z = 0.5  # steeper than 60 degrees: shown as its projection's edge, a line
-OUTLINE_STYLE = {"colors": "0.55", "linewidths": 0.5}
-MARGIN_M = 0.6
+WIDTH_IN = 8.0
+TITLES_IN, LEGEND_IN = 0.62, 0.42
+MARGIN_M = 0.3
+WALL_MAX_NORMAL_Z = 0.5  # steeper than 60 degrees: shown by its edge
+FLOOR_MIN_AREA_M2 = 10.0  # a flat plane larger than this is a floor or a ceiling
+STROKE_PT = 1.9
+WORLD = {"color": "0.72", "linewidth": 0.6}
+BELIEVED = {"color": "tab:red", "linewidth": 1.0}
+TRUE = {"color": "black", "linewidth": 0.8, "linestyle": (0, (4, 3))}
 
 plt.rcParams.update({
-    "font.size": 9,
-    "axes.titlesize": 10,
+    "font.size": 8.5,
     "svg.hashsalt": "ribbon_mapper",  # the same run gives the same bytes
     "svg.fonttype": "none",
 })
@@ -45,99 +54,134 @@ def load_trajectory(path):
     return [float(row[1]) for row in rows], [float(row[2]) for row in rows]
 
 
-def ground_polygon(plane):
+def on_ground(plane):
     return [(x, y) for x, y, _ in plane["outline"]]
 
 
+def draw_flat_planes(axes, planes, colour_of):
+    """Floors as a hint, table tops as areas; the large ones below the small ones."""
+    for plane in sorted(planes, key=lambda p: -p["area"]):
+        is_floor = plane["area"] > FLOOR_MIN_AREA_M2
+        colour = colour_of(plane)
+        axes.add_collection(PolyCollection(
+            [on_ground(plane)], facecolors=[(*colour, 0.07 if is_floor else 0.30)],
+            edgecolors=["none" if is_floor else (*colour, 0.9)], linewidths=0.7, zorder=1))
+
+
 def draw_planes(axes, planes, colour_of):
-    """Steep planes as thick lines, the others as faint areas beneath them."""
+    planes = [plane for plane in planes if plane["outline"]]
     flat = [p for p in planes if abs(p["normal"][2]) > WALL_MAX_NORMAL_Z]
     steep = [p for p in planes if abs(p["normal"][2]) <= WALL_MAX_NORMAL_Z]
-    for plane in sorted(flat, key=lambda p: -p["area"]):
-        colour = colour_of(plane)
-        axes.add_collection(PolyCollection([ground_polygon(plane)], facecolors=[(*colour, 0.10)],
-                                           edgecolors=[(*colour, 0.55)], linewidths=0.6,
-                                           zorder=1))
-    polygons = [ground_polygon(p) for p in steep]
-    axes.add_collection(LineCollection(
-        [polygon + polygon[:1] for polygon in polygons if polygon], linewidths=2.2,
-        colors=[colour_of(p) for p, polygon in zip(steep, polygons) if polygon],
-        capstyle="round", zorder=3))
+    draw_flat_planes(axes, flat, colour_of)
+    axes.add_collection(LineCollection([on_ground(p) + on_ground(p)[:1] for p in steep],
+                                       colors=[colour_of(p) for p in steep],
+                                       linewidths=STROKE_PT, capstyle="butt", zorder=3))
 
 
 def draw_world(axes, outlines):
     axes.add_collection(LineCollection([o + o[:1] for o in outlines if o], zorder=2,
-                                       **OUTLINE_STYLE))
+                                       colors=WORLD["color"], linewidths=WORLD["linewidth"]))
 
 
-def draw_trajectories(axes, estimate, truth):
-    axes.plot(*truth, color="black", linewidth=0.9, linestyle=(0, (4, 3)), zorder=5)
-    axes.plot(*estimate, color="tab:red", linewidth=1.1, zorder=4)
+def draw_trajectories(axes, believed, truth):
+    axes.plot(*believed, zorder=4, **BELIEVED)
+    axes.plot(*truth, zorder=5, **TRUE)
+    if truth[0]:
+        axes.plot(truth[0][0], truth[1][0], "o", color="black", markersize=3.5, zorder=6)
 
 
-def limits(outlines, *plane_lists):
-    """Box around everything [m]: (x_min, x_max, y_min, y_max)."""
+def draw_scale_bar(axes, box):
+    """A round length of about a fifth of the width, in the lower left corner below the world."""
+    width = box[1] - box[0]
+    length = max((n for n in (0.1, 0.2, 0.5, 1, 2, 5, 10, 20, 50) if n <= 0.2 * width), default=0.1)
+    x, y = box[0] + MARGIN_M, box[2] + 0.022 * width
+    axes.plot([x, x + length], [y, y], color="black", linewidth=1.8, solid_capstyle="butt", zorder=7)
+    axes.text(x + length + 0.012 * width, y, f"{length:g} m", va="center", zorder=7)
+
+
+def box_around(outlines, *plane_lists):
+    """Box around everything and the scale bar [m]: (x_min, x_max, y_min, y_max)."""
     points = [point for outline in outlines for point in outline]
-    points += [point for planes in plane_lists for p in planes for point in ground_polygon(p)]
+    points += [point for planes in plane_lists for p in planes for point in on_ground(p)]
     xs, ys = zip(*points) if points else ((0, 1), (0, 1))
-    return min(xs) - MARGIN_M, max(xs) + MARGIN_M, min(ys) - MARGIN_M, max(ys) + MARGIN_M
+    below = MARGIN_M + 0.04 * (max(xs) - min(xs))
+    return min(xs) - MARGIN_M, max(xs) + MARGIN_M, min(ys) - below, max(ys) + MARGIN_M
 
 
 def add_legend(figure):
     handles = [
-        Line2D([], [], color="tab:purple", linewidth=2.2, label="wall or other steep plane"),
-        Patch(facecolor=(0.5, 0.35, 0.7, 0.15), edgecolor=(0.5, 0.35, 0.7, 0.6),
-              label="floor, ceiling, table top"),
-        Line2D([], [], color="0.55", linewidth=0.8, label="the world, cut at two heights"),
-        Line2D([], [], color="tab:red", linewidth=1.1, label="trajectory of the model"),
-        Line2D([], [], color="black", linewidth=0.9, linestyle=(0, (4, 3)),
-               label="true trajectory"),
+        Line2D([], [], color="tab:purple", linewidth=STROKE_PT, label="wall"),
+        Patch(facecolor=(0.58, 0.40, 0.74, 0.3), edgecolor="tab:purple", linewidth=0.7,
+              label="table, seat, floor"),
+        Line2D([], [], label="world", **WORLD),
+        Line2D([], [], label="believed trajectory", **BELIEVED),
+        Line2D([], [], label="true trajectory", **TRUE),
     ]
     figure.legend(handles=handles, loc="lower center", ncol=len(handles), frameon=False,
-                  fontsize=8, handlelength=2.2, columnspacing=1.4)
+                  handlelength=2.0, columnspacing=1.6, borderaxespad=0.3)
 
 
-def counts(cell):
-    return (f"{cell['matched']} matched, {cell['duplicates']} duplicates, {cell['extra']} extra, "
-            f"{cell['missed']} missed")
+def counted(number, singular, plural=None):
+    return f"{number} {singular if number == 1 else plural or singular}"
 
 
-def panel_texts(summary):
+def findings(cell):
+    return ", ".join((f"{cell['matched']} right", counted(cell["duplicates"], "double"),
+                      f"{cell['extra']} wrong", f"{cell['missed']} missed"))
+
+
+def titles_of(summary):
+    """Per panel: what it shows, and how that compares with the truth."""
     cells = summary["four_cells"]
-    before, after = cells["noisy_raw"], cells["corrected_merged"]
-    return [f"Before the correction: {before['planes']} planes\n{counts(before)}",
-            f"After the correction, merged and filtered: {after['planes']} planes "
-            f"(truth: {summary['truth_planes']})\n{counts(after)}"]
+    before, after = cells["noisy_merged"], cells["corrected_merged"]
+    return [(f"Before the correction: {counted(before['planes'], 'plane', 'planes')}",
+             f"{findings(before)} (as built: {cells['noisy_raw']['planes']})"),
+            (f"After the correction: {counted(after['planes'], 'plane', 'planes')}",
+             f"{findings(after)} (truth: {summary['truth_planes']})")]
 
 
-def figure_size(box):
-    """Two panels side by side on 11 inches, as high as their content asks for."""
-    width, height = box[1] - box[0], box[3] - box[2]
-    return 11.0, min(9.0, 5.2 * height / width) + 1.3
+def figure_height(box):
+    panel_in = 0.5 * WIDTH_IN * (box[3] - box[2]) / (box[1] - box[0])
+    return min(10.0, panel_in) + TITLES_IN + LEGEND_IN
+
+
+def new_panels(box):
+    height = figure_height(box)
+    figure, panels = plt.subplots(1, 2, figsize=(WIDTH_IN, height))
+    figure.subplots_adjust(left=0.0, right=1.0, wspace=0.0, bottom=LEGEND_IN / height,
+                           top=1.0 - TITLES_IN / height)
+    for axes in panels:
+        axes.set(xlim=box[:2], ylim=box[2:], aspect="equal")
+        axes.set_axis_off()
+    return figure, panels
+
+
+def set_title(axes, title):
+    axes.text(0.5, 1.0, title[0], transform=axes.transAxes, ha="center", va="bottom",
+              fontsize=11, fontweight="bold", linespacing=1.4).set_y(1.065)
+    axes.text(0.5, 1.005, title[1], transform=axes.transAxes, ha="center", va="bottom")
 
 
 def draw(directory):
     data = load_json(directory / "figure.json")
     planes = [load_json(directory / f"planes_{when}.json")["planes"]
-              for when in ("before", "after")]
-    trajectories = [load_trajectory(directory / f"trajectory_{which}.tum")
-                    for which in ("before", "after", "truth")]
-    box = limits(data["world_outlines"], *planes)
+              for when in ("before_merged", "after")]
+    before, after, truth = (load_trajectory(directory / f"trajectory_{which}.tum")
+                            for which in ("before", "after", "truth"))
+    titles = titles_of(load_json(directory / "summary.json"))
 
     def colour_of(plane):
         return matplotlib.colors.to_rgb(data["colours"].get(str(plane["id"]), "0.3"))
 
-    figure, panels = plt.subplots(1, 2, figsize=figure_size(box), sharex=True, sharey=True)
-    titles = panel_texts(load_json(directory / "summary.json"))
-    for i, axes in enumerate(panels):
-        draw_planes(axes, planes[i], colour_of)
+    box = box_around(data["world_outlines"], *planes)
+    figure, panels = new_panels(box)
+    for axes, title, model, believed in zip(panels, titles, planes, (before, after)):
         draw_world(axes, data["world_outlines"])
-        draw_trajectories(axes, trajectories[i], trajectories[2])
-        axes.set(title=titles[i], xlabel="x [m]", xlim=box[:2], ylim=box[2:], aspect="equal")
-        axes.spines[["top", "right"]].set_visible(False)
-    panels[0].set_ylabel("y [m]")
+        draw_planes(axes, model, colour_of)
+        draw_trajectories(axes, believed, truth)
+        set_title(axes, title)
+    draw_scale_bar(panels[0], box)
     add_legend(figure)
-    figure.tight_layout(rect=(0, 0.05, 1, 1), w_pad=2.0)
     return figure
 
 
@@ -158,7 +202,7 @@ def main():
     try:
         figure = draw(directory)
         save(figure, directory / "before_after.svg", metadata={"Date": None})
-        save(figure, directory / "before_after.png", dpi=160)
+        save(figure, directory / "before_after.png", dpi=200)
     except (OSError, ValueError, KeyError) as error:
         sys.exit(f"before_after.py: {error!r}")
 

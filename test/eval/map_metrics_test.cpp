@@ -124,6 +124,29 @@ TEST(MapMetrics, ASmallSharedPartIsNoMatch) {
   EXPECT_EQ(compare_maps({wall(0, 4)}, {wall(3, 7)}).matched, 0U);
 }
 
+/// The limits of MatchLimits, each from both sides.
+TEST(MapMetrics, LimitsAreFiveDegreesTenCentimetresAndHalfOfEither) {
+  const Patch truth = wall(0, 4);
+  const auto matches = [&](const Patch& estimate) {
+    return compare_maps({estimate}, {truth}).matched == 1;
+  };
+  EXPECT_TRUE(matches(turned(truth, 4.9, {2.0, 3.0, 1.0})));
+  EXPECT_FALSE(matches(turned(truth, 5.1, {2.0, 3.0, 1.0})));
+  EXPECT_TRUE(matches(wall(0, 4, 3.099)));
+  EXPECT_FALSE(matches(wall(0, 4, 3.101)));
+  EXPECT_TRUE(matches(wall(2 - 0.25, 6 - 0.25)));
+  EXPECT_FALSE(matches(wall(2 + 0.25, 6 + 0.25)));
+  EXPECT_TRUE(matches(wall(-20, 2.25))) << "half of the truth suffices";
+}
+
+/// The match is one to one: an estimate that took one truth cannot take the other as well.
+TEST(MapMetrics, AnEstimateOverTwoTruthsWithTheirOwnEstimatesIsADuplicate) {
+  const MapMetrics m = compare_maps({wall(0, 2), wall(2, 4), wall(0, 4)}, {wall(0, 2), wall(2, 4)});
+  EXPECT_EQ(m.matched, 2U);
+  EXPECT_THAT(m.duplicates, ElementsAre(2U));
+  EXPECT_THAT(m.missed, IsEmpty());
+}
+
 TEST(MapMetrics, EmptyModelsAndWorlds) {
   const MapMetrics nothing = compare_maps({}, {wall(0, 4)});
   EXPECT_EQ(nothing.f1, 0.0);

@@ -1,0 +1,51 @@
+// SPDX-FileCopyrightText: 2026 ribbon_mapper authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "eval/figure.hpp"
+
+#include <gmock/gmock.h>
+
+#include "test/eval/sample_results.hpp"
+#include "test/io/temporary_directory.hpp"
+
+namespace ribbon_mapper::eval {
+namespace {
+
+using testing::HasSubstr;
+
+/// Says nothing about the rest of a long text, as HasSubstr would.
+bool has(const std::string& text, const char* part) { return text.find(part) != std::string::npos; }
+
+TEST(Figure, IsDrawnFromTheFilesOfARun) {
+  const TemporaryDirectory directory;
+  Results results = sample_results();
+  evaluate(results);
+  write_results(results, directory.path());
+  ASSERT_TRUE(draw_figure(directory.path()));
+  EXPECT_EQ(content_of(directory.path() / "before_after.png").substr(1, 3), "PNG");
+  const std::string svg = content_of(directory.path() / "before_after.svg");
+  for (const char* text : {"Before the correction: 2 planes", "(as built: 3)",
+                           "After the correction: 1 plane", "(truth: 1)", "</svg>"}) {
+    EXPECT_TRUE(has(svg, text)) << text;
+  }
+  ASSERT_TRUE(draw_figure(directory.path()));
+  EXPECT_TRUE(content_of(directory.path() / "before_after.svg") == svg) << "other bytes";
+}
+
+TEST(Figure, EmptyModelsCanBeDrawn) {
+  const TemporaryDirectory directory;
+  write_results(Results(), directory.path());
+  EXPECT_TRUE(draw_figure(directory.path()));
+}
+
+TEST(Figure, WithoutTheFilesAWarningSaysWhatToDo) {
+  const TemporaryDirectory directory;
+  testing::internal::CaptureStderr();
+  EXPECT_FALSE(draw_figure(directory.path()));
+  const std::string warning = testing::internal::GetCapturedStderr();
+  EXPECT_THAT(warning, HasSubstr("python3-matplotlib"));
+  EXPECT_THAT(warning, HasSubstr("before_after.py"));
+  EXPECT_EQ(directory.file_count(), 0U);
+}
+
+}  // namespace
+}  // namespace ribbon_mapper::eval

@@ -1,0 +1,70 @@
+// SPDX-FileCopyrightText: 2026 ribbon_mapper authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "eval/results.hpp"
+
+#include <gmock/gmock.h>
+
+#include <nlohmann/json.hpp>
+
+#include "test/eval/sample_results.hpp"
+#include "test/io/temporary_directory.hpp"
+
+namespace ribbon_mapper::eval {
+namespace {
+
+TEST(Results, EachCellIsComparedWithTheTruth) {
+  Results results = sample_results();
+  evaluate(results);
+  const FourCells& cells = results.summary.cells;
+  EXPECT_EQ(cells.noisy_raw.planes, 3U);
+  EXPECT_EQ(cells.noisy_raw.matched, 1U);
+  EXPECT_EQ(cells.noisy_raw.duplicates.size(), 1U);
+  EXPECT_EQ(cells.noisy_raw.extra.size(), 1U);
+  EXPECT_EQ(cells.noisy_merged.planes, 2U);
+  EXPECT_EQ(cells.corrected_raw.planes, 1U);
+  EXPECT_EQ(cells.corrected_merged.f1, 1.0);
+}
+
+TEST(Results, EndDriftIsThatOfTheLastPoseInItsOwnFrame) {
+  Results results = sample_results();
+  evaluate(results);
+  EXPECT_NEAR(results.summary.end_drift_m, 0.5, 1e-9);
+  EXPECT_NEAR(results.summary.end_drift_deg, 10.0, 1e-9);
+}
+
+TEST(Results, WritesTheFilesOfTheDemo) {
+  const TemporaryDirectory directory;
+  Results results = sample_results();
+  evaluate(results);
+  write_results(results, directory.path() / "run");
+  for (const char* name :
+       {"summary.json", "planes_before.json", "planes_before_merged.json", "planes_after.json",
+        "planes_after.ply", "planes_after_cells.ply", "planes_after.bt", "planes_truth.json",
+        "trajectory_before.tum", "trajectory_after.tum", "trajectory_truth.tum", "figure.json"}) {
+    EXPECT_TRUE(std::filesystem::exists(directory.path() / "run" / name)) << name;
+  }
+  const auto planes = [&](const char* name) {
+    return nlohmann::json::parse(content_of(directory.path() / "run" / name)).at("planes").size();
+  };
+  EXPECT_EQ(planes("planes_before.json"), 3U);
+  EXPECT_EQ(planes("planes_before_merged.json"), 2U);
+  EXPECT_EQ(planes("planes_after.json"), 1U);
+  EXPECT_EQ(planes("planes_truth.json"), 1U);
+}
+
+TEST(Results, TheSameResultsGiveTheSameBytes) {
+  const TemporaryDirectory directory;
+  for (const char* name : {"a", "b"}) write_results(sample_results(), directory.path() / name);
+  for (const auto& file : std::filesystem::directory_iterator(directory.path() / "a")) {
+    EXPECT_EQ(content_of(file), content_of(directory.path() / "b" / file.path().filename()))
+        << file.path();
+  }
+}
+
+TEST(Results, ADirectoryThatCannotBeIsNamed) {
+  EXPECT_THAT([] { write_results(sample_results(), "/proc/nowhere"); },
+              testing::ThrowsMessage<std::runtime_error>(testing::HasSubstr("/proc/nowhere")));
+}
+
+}  // namespace
+}  // namespace ribbon_mapper::eval

@@ -1,0 +1,144 @@
+// SPDX-FileCopyrightText: 2026 ribbon_mapper authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "eval/summary.hpp"
+
+#include <gmock/gmock.h>
+
+#include <nlohmann/json.hpp>
+#include <sstream>
+
+namespace ribbon_mapper::eval {
+namespace {
+
+using nlohmann::json;
+
+MapMetrics metrics_with(std::size_t planes) {
+  MapMetrics m;
+  m.planes = planes;
+  m.truth = 22;
+  return m;
+}
+
+/// Every number differs from all others, so that none can stand in another's place.
+Summary sample() {
+  Summary s;
+  s.command = "experiment --seed 7";
+  s.world = "flat.sdf";
+  s.route = "flat.route.yaml";
+  s.seed = 7;
+  s.drift = 0.5;
+  s.lines = 9000;
+  s.dropped_lines = 3;
+  s.ribbons = 80000;
+  s.cells = {metrics_with(110), metrics_with(60), metrics_with(31), metrics_with(24)};
+  MapMetrics& result = s.cells.corrected_merged;
+  result.matched = 21;
+  result.missed = {4};
+  result.extra = {1, 9};
+  result.duplicates = {0, 2, 5, 6, 8};
+  result.precision = 0.875;
+  result.recall = 0.954;
+  result.f1 = 0.913;
+  result.coverage = 0.99;
+  result.angle_error_deg_mean = 0.25;
+  result.offset_error_m_mean = 0.0075;
+  s.end_drift_m = 0.64;
+  s.end_drift_deg = 8.5;
+  s.us_per_line = 402.0;
+  s.correction_ms = 350.0;
+  s.real_time_factor = 62.5;
+  return s;
+}
+
+TEST(SummaryJson, HasEveryKeyWithItsOwnValue) {
+  const json j = json::parse(summary_to_json(sample()));
+  EXPECT_EQ(j.at("world"), "flat.sdf");
+  EXPECT_EQ(j.at("route"), "flat.route.yaml");
+  EXPECT_EQ(j.at("command"), "experiment --seed 7");
+  const std::map<std::string, double> expected{{"seed", 7},
+                                               {"drift", 0.5},
+                                               {"lines", 9000},
+                                               {"ribbons", 80000},
+                                               {"truth_planes", 22},
+                                               {"planes_noisy_raw", 110},
+                                               {"planes_noisy_merged", 60},
+                                               {"planes_corrected_raw", 31},
+                                               {"planes_corrected_merged", 24},
+                                               {"matched", 21},
+                                               {"missed", 1},
+                                               {"extra", 2},
+                                               {"duplicates", 5},
+                                               {"precision", 0.875},
+                                               {"recall", 0.954},
+                                               {"f1", 0.913},
+                                               {"coverage", 0.99},
+                                               {"angle_error_deg_mean", 0.25},
+                                               {"offset_error_m_mean", 0.0075},
+                                               {"end_drift_m", 0.64},
+                                               {"end_drift_deg", 8.5},
+                                               {"us_per_line", 402},
+                                               {"correction_ms", 350},
+                                               {"real_time_factor", 62.5},
+                                               {"dropped_lines", 3}};
+  for (const auto& [key, value] : expected) {
+    ASSERT_TRUE(j.contains(key)) << key;
+    EXPECT_DOUBLE_EQ(j[key].get<double>(), value) << key;
+  }
+}
+
+TEST(SummaryJson, HoldsTheFourCells) {
+  const json cells = json::parse(summary_to_json(sample())).at("four_cells");
+  EXPECT_EQ(cells.at("noisy_raw").at("planes"), 110);
+  EXPECT_EQ(cells.at("noisy_merged").at("planes"), 60);
+  EXPECT_EQ(cells.at("corrected_raw").at("planes"), 31);
+  EXPECT_EQ(cells.at("corrected_merged").at("duplicates"), 5);
+}
+
+TEST(SummaryJson, WithoutAMatchErrorsAreNullNotZero) {
+  const json j = json::parse(summary_to_json(Summary()));
+  EXPECT_TRUE(j.at("angle_error_deg_mean").is_null());
+  EXPECT_TRUE(j.at("offset_error_m_mean").is_null());
+}
+
+/// The line of the table that begins with `name`.
+std::string row_of(const std::string& table, const std::string& name) {
+  std::istringstream lines(table);
+  for (std::string line; std::getline(lines, line);) {
+    if (line.rfind(name, 0) == 0) return line.substr(name.size());
+  }
+  return "";
+}
+
+std::vector<std::string> words_of(const std::string& row) {
+  std::istringstream stream(row);
+  return {std::istream_iterator<std::string>(stream), {}};
+}
+
+TEST(SummaryTable, HasARowPerCellAndTheTruth) {
+  const std::string table = summary_table(sample());
+  EXPECT_THAT(words_of(row_of(table, "noisy, as built"))[0], "110");
+  EXPECT_THAT(words_of(row_of(table, "noisy, merged and filtered"))[0], "60");
+  EXPECT_THAT(words_of(row_of(table, "corrected, as built"))[0], "31");
+  EXPECT_THAT(words_of(row_of(table, "corrected, merged and filtered")),
+              testing::ElementsAre("24", "21", "1", "2", "5", "0.913", "99.0", "0.25", "7.5"));
+  EXPECT_THAT(words_of(row_of(table, "truth"))[0], "22");
+}
+
+TEST(SummaryTable, ColumnsStandUnderTheirHeads) {
+  std::istringstream lines(summary_table(sample()));
+  std::string head, row;
+  std::getline(lines, head);
+  for (int i = 0; i < 4; ++i) {
+    std::getline(lines, row);
+    EXPECT_EQ(row.size(), head.size()) << row;
+  }
+}
+
+TEST(SummaryTable, ErrorsWithoutAMatchAreADash) {
+  const auto words = words_of(row_of(summary_table(Summary()), "noisy, as built"));
+  ASSERT_EQ(words.size(), 9U);
+  EXPECT_EQ(words[7], "-");
+}
+
+}  // namespace
+}  // namespace ribbon_mapper::eval
