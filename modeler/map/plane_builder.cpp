@@ -8,6 +8,7 @@
 
 #include "modeler/map/bevel.hpp"
 #include "modeler/map/cell_grid.hpp"
+#include "modeler/map/curvature.hpp"
 #include "modeler/map/outline.hpp"
 
 namespace ribbon_mapper {
@@ -104,6 +105,12 @@ std::vector<Hypothesis> split(const Hypothesis& whole, const Plane& plane,
   return pieces;
 }
 
+/// A facet of a column is no plane.
+bool is_curved(const Plane& plane, const PlaneMapConfig& config) {
+  const Curvature curvature = curvature_of(plane);
+  return curvature.bend - config.curvature_sigmas * curvature.sigma > 1.0 / config.least_radius_m;
+}
+
 void move(Plane& plane, const Pose& T_map_world) {
   plane.normal = T_map_world.linear() * plane.normal;
   plane.axis_u = T_map_world.linear() * plane.axis_u;
@@ -122,10 +129,13 @@ std::vector<Plane> confirmed_planes(const std::vector<Hypothesis>& hypotheses,
     if (hypothesis.members().size() < static_cast<std::size_t>(config.confirmed_ribbons)) continue;
     if (!may_reach(config.confirmed_area_m2, hypothesis, evidence, config)) continue;
     Plane plane = build_plane(hypothesis, evidence, config);
-    if (plane.area_m2 < config.confirmed_area_m2) continue;
-    move(plane, evidence.T_map_world());
+    if (plane.area_m2 < config.confirmed_area_m2 || is_curved(plane, config)) continue;
     planes.push_back(std::move(plane));
   }
+  planes = without_bevels(std::move(planes), config);
+  for (Plane& plane : planes) move(plane, evidence.T_map_world());
+  std::sort(planes.begin(), planes.end(),
+            [](const Plane& a, const Plane& b) { return a.id < b.id; });
   return planes;
 }
 
@@ -139,7 +149,8 @@ std::vector<Plane> filtered_planes(const std::vector<Hypothesis>& hypotheses,
     for (const Hypothesis& piece : split(hypothesis, whole, evidence, config)) {
       if (!may_reach(config.least_area_m2, piece, evidence, config)) continue;
       Plane plane = build_plane(piece, evidence, config);
-      if (plane.area_m2 >= config.least_area_m2) planes.push_back(std::move(plane));
+      if (plane.area_m2 < config.least_area_m2 || is_curved(plane, config)) continue;
+      planes.push_back(std::move(plane));
     }
   }
   planes = without_bevels(std::move(planes), config);

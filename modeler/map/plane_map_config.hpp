@@ -17,7 +17,7 @@ struct PlaneMapConfig {
 
   /// After a correction, with poses that agree all along the way: three sigma of a range at its
   /// noisiest (UTM-30LX: 0.018 m), and what that leaves of the normal of a small plane.
-  AssociationGates corrected{2.0, 0.05};
+  AssociationGates corrected{2.0, 0.03};
 
   /// Gaps of at most this are bridged: a wall with a door in it is one plane [m]. Also how far from
   /// a plane's ribbons another ribbon may lie to join it.
@@ -32,6 +32,11 @@ struct PlaneMapConfig {
 
   /// Least seen area of a plane after the final merging [m2].
   double least_area_m2 = 0.5;
+
+  /// A surface bent to a smaller radius than this [m] is no plane; it must be so by this many
+  /// standard errors.
+  double least_radius_m = 4.0;
+  double curvature_sigmas = 3.0;
 
   /// A plane across a corner is told by its points' lying on larger planes within this (three sigma
   /// of a range) [m], no further from their cells than about bevel_reach_m.

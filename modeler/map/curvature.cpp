@@ -1,0 +1,52 @@
+// SPDX-FileCopyrightText: 2026 ribbon_mapper authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "modeler/map/curvature.hpp"
+
+#include <Eigen/Cholesky>
+#include <cmath>
+#include <limits>
+
+namespace ribbon_mapper {
+namespace {
+
+using Vector6d = Eigen::Matrix<double, 6, 1>;
+using Matrix6d = Eigen::Matrix<double, 6, 6>;
+
+/// Height h(u, v) = c0 + c1 u + c2 v + (c3 u^2 + 2 c4 u v + c5 v^2) / 2.
+Vector6d terms(double u, double v) {
+  Vector6d terms;
+  terms << 1.0, u, v, 0.5 * u * u, u * v, 0.5 * v * v;
+  return terms;
+}
+
+}  // namespace
+
+Curvature curvature_of(const Plane& plane) {
+  if (plane.cells.size() < 12) return {0.0, std::numeric_limits<double>::infinity()};
+  Matrix6d normal_matrix = Matrix6d::Zero();
+  Vector6d right = Vector6d::Zero();
+  double square = 0.0;
+  for (const PlaneCell& cell : plane.cells) {
+    const Eigen::Vector3d place = cell_centre(plane, cell) - plane.centroid;
+    const Vector6d row = terms(place.dot(plane.axis_u), place.dot(plane.axis_v));
+    normal_matrix += row * row.transpose();
+    right += cell.mean_m * row;
+    square += cell.mean_m * cell.mean_m;
+  }
+  const Eigen::LDLT<Matrix6d> solver(normal_matrix);
+  const Vector6d c = solver.solve(right);
+  const double variance = std::max(0.0, square - c.dot(right)) / (plane.cells.size() - 6.0);
+
+  // Larger eigenvalue of [c3 c4; c4 c5] and its derivative by (c3, c4, c5).
+  const double mean = 0.5 * (c[3] + c[5]), half = 0.5 * (c[3] - c[5]);
+  const double radius = std::hypot(half, c[4]);
+  const double sign = mean < 0.0 ? -1.0 : 1.0;
+  const double direction = 0.5 * std::atan2(c[4], half) + (sign < 0.0 ? M_PI_2 : 0.0);
+  const double x = std::cos(direction), y = std::sin(direction);
+  Vector6d derivative = Vector6d::Zero();
+  derivative.tail<3>() << x * x, 2.0 * x * y, y * y;
+  return {std::abs(mean + sign * radius),
+          std::sqrt(variance * derivative.dot(solver.solve(derivative)))};
+}
+
+}  // namespace ribbon_mapper

@@ -1,0 +1,179 @@
+// SPDX-FileCopyrightText: 2026 ribbon_mapper authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include <ros/ros.h>
+#include <std_srvs/Trigger.h>
+
+#include <filesystem>
+#include <utility>
+
+#include "modeler/io/config_file.hpp"
+#include "modeler/ros/clock_guard.hpp"
+#include "modeler/ros/line_intake.hpp"
+#include "modeler/ros/message_conversions.hpp"
+#include "modeler/ros/model_publisher.hpp"
+#include "modeler/ros/model_services.hpp"
+#include "modeler/ros/modeler_diagnostics.hpp"
+#include "modeler/ros/strict_parameters.hpp"
+#include "modeler/ros/tf_feed.hpp"
+
+namespace ribbon_mapper {
+namespace {
+
+struct NodeParameters {
+  ModelerConfig config;
+  Frames frames;
+  double transform_timeout_s;
+  double tf_cache_s;
+  bool reset_on_restart;
+  std::filesystem::path output_dir;
+
+  static NodeParameters read() {
+    StrictParameters from;
+    NodeParameters p;
+    const std::string config = from.required_text("config", "a YAML file, such as config/pr2.yaml");
+    p.frames.map = from.text("map_frame", p.frames.map);
+    p.frames.odom = from.text("odom_frame", p.frames.odom);
+    p.frames.base = from.text("base_frame", p.frames.base);
+    p.transform_timeout_s = from.number("transform_timeout", 2.0, 0.1, 60.0);
+    p.tf_cache_s = from.number("tf_cache", 120.0, 10.0, 3600.0);
+    p.reset_on_restart = from.flag("reset_on_restart", true);
+    p.output_dir = std::filesystem::absolute(from.text("output_dir", "models"));
+    from.refuse_unknown();
+    p.config = load_config(config);
+    return p;
+  }
+};
+
+/// The modeler on ROS. All callbacks are served by one thread, none of them waits.
+class ModelerNode {
+ public:
+  explicit ModelerNode(const NodeParameters& parameters);
+
+ private:
+  void on_scan(const sensor_msgs::LaserScan& scan);
+  void on_corrected_trajectory(const nav_msgs::Path& path);
+  bool on_reset(std_srvs::Trigger::Request&, std_srvs::Trigger::Response& response);
+  bool on_save(Save::Request& request, Save::Response& response);
+  bool on_get_model(GetModel::Request& request, GetModel::Response& response);
+  void take_lines();
+  void report();
+  void start_anew(const std::string& why);
+
+  NodeParameters parameters_;
+  ros::NodeHandle node_, private_node_{"~"};
+  ModelKeeper keeper_;
+  LineIntake intake_;
+  ClockGuard clock_;
+  TfFeed tf_;
+  ModelPublisher publisher_;
+  ModelerDiagnostics diagnostics_;
+  ros::ServiceServer reset_, save_, get_model_;
+  ros::Subscriber corrected_trajectory_, scan_;
+  ros::WallTimer line_timer_, report_timer_;
+  std::size_t reports_ = 0, reported_lines_ = 0;
+};
+
+ModelerNode::ModelerNode(const NodeParameters& parameters)
+    : parameters_(parameters),
+      keeper_(parameters.config),
+      intake_(parameters.frames, parameters.transform_timeout_s, keeper_.log()),
+      tf_(node_, parameters.tf_cache_s),
+      publisher_(private_node_, parameters.frames.map),
+      diagnostics_(keeper_, intake_, node_.resolveName("scan")) {
+  reset_ = private_node_.advertiseService("reset", &ModelerNode::on_reset, this);
+  save_ = private_node_.advertiseService("save", &ModelerNode::on_save, this);
+  get_model_ = private_node_.advertiseService("get_model", &ModelerNode::on_get_model, this);
+  corrected_trajectory_ = node_.subscribe("corrected_trajectory", 2,
+                                          &ModelerNode::on_corrected_trajectory, this);
+  // Last, so that all else is ready for the first line; long, so that a correction loses none.
+  scan_ = node_.subscribe("scan", 5000, &ModelerNode::on_scan, this);
+  line_timer_ = node_.createWallTimer(ros::WallDuration(0.02),
+                                      [this](const ros::WallTimerEvent&) { take_lines(); });
+  report_timer_ = node_.createWallTimer(ros::WallDuration(1.0),
+                                        [this](const ros::WallTimerEvent&) { report(); });
+}
+
+void ModelerNode::on_scan(const sensor_msgs::LaserScan& scan) {
+  if (clock_.went_back()) start_anew("the clock was set back");
+  intake_.add(scan);
+  take_lines();
+}
+
+void ModelerNode::take_lines() {
+  if (clock_.went_back()) start_anew("the clock was set back");
+  while (const std::optional<ReadyLine> line = intake_.next(tf_.buffer())) keeper_.add(*line);
+}
+
+void ModelerNode::on_corrected_trajectory(const nav_msgs::Path& path) {
+  take_lines();
+  try {
+    keeper_.correct(trajectory_of(path, parameters_.frames.map));
+  } catch (const std::invalid_argument& error) {
+    ROS_ERROR("Corrected trajectory of %zu poses refused: %s. The model stays as it was.",
+              path.poses.size(), error.what());
+    return;
+  }
+  ROS_INFO("Corrected by a trajectory of %zu poses in %.0f ms: %zu planes before, %zu now.",
+           path.poses.size(), keeper_.correction_ms(), keeper_.before().merged_planes.size(),
+           keeper_.merged_planes().size());
+  publisher_.publish(keeper_, intake_.done());
+}
+
+bool ModelerNode::on_reset(std_srvs::Trigger::Request&, std_srvs::Trigger::Response& response) {
+  intake_.restart("reset");
+  keeper_.reset();
+  response.success = true;
+  response.message = "the model is empty";
+  return true;
+}
+
+bool ModelerNode::on_save(Save::Request& request, Save::Response& response) {
+  response = save_response(request.name, keeper_, parameters_.output_dir);
+  if (!response.success) ROS_ERROR("Not saved: %s", response.message.c_str());
+  return true;
+}
+
+bool ModelerNode::on_get_model(GetModel::Request& request, GetModel::Response& response) {
+  take_lines();
+  response = model_response(request, keeper_, parameters_.frames.map);
+  return true;
+}
+
+/// A bag or a simulation was started again: lines of before and after do not fit one trajectory.
+void ModelerNode::start_anew(const std::string& why) {
+  intake_.restart(why);
+  if (parameters_.reset_on_restart) keeper_.reset();
+  ROS_WARN("Simulated time went back: %s.",
+           parameters_.reset_on_restart
+               ? "the model starts anew (keep it with ~reset_on_restart false)"
+               : "the model stays; lines older than its newest one are dropped until ~reset");
+}
+
+void ModelerNode::report() {
+  publisher_.publish(keeper_, intake_.done());
+  diagnostics_.publish();
+  const ModelStatistics statistics = keeper_.modeler().statistics();
+  if (++reports_ % 5 != 0) return;  // counted, not throttled: simulated time may stand still
+  if (keeper_.log().lines() == 0) {
+    ROS_INFO("Waiting for scans on %s", scan_.getTopic().c_str());
+  } else if (std::exchange(reported_lines_, keeper_.log().lines()) != keeper_.log().lines()) {
+    ROS_INFO("%zu lines (%zu dropped), %zu ribbons, %.0f times real time", keeper_.log().lines(),
+             keeper_.log().dropped_lines(), statistics.ribbons, keeper_.real_time_factor());
+  }
+}
+
+}  // namespace
+}  // namespace ribbon_mapper
+
+int main(int argc, char** argv) {
+  ros::init(argc, argv, "modeler");
+  try {
+    ros::NodeHandle keeps_ros_up;
+    ribbon_mapper::ModelerNode node(ribbon_mapper::NodeParameters::read());
+    ros::spin();
+  } catch (const std::exception& error) {
+    ROS_FATAL("%s", error.what());
+    return 1;
+  }
+  return 0;
+}
