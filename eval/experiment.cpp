@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <chrono>
 
+#include "eval/world_outlines.hpp"
 #include "modeler/modeler.hpp"
 #include "sim/truth.hpp"
 
@@ -68,7 +69,7 @@ LineLog drive(sim::Tour& tour, Modeler& modeler, sim::TruthCollector& truth,
     log.dropped += is_dropped(result) ? 1 : 0;
     truth.add(*scan, tour);
     progress({log.line_s.size(), tour.line_count(), modeler.statistics().ribbons,
-              to_seconds(beams.stamp) / log.total_s});
+              to_seconds(beams.stamp), log.total_s});
   }
   return log;
 }
@@ -110,6 +111,7 @@ Results run_experiment(const sim::World& world, const sim::Route& route,
   Results results;
   results.summary = summary_of(log, tour, modeler);
   results.truth = patches_of(truth);
+  results.world_outlines = world_outlines(world);
   results.models.noisy_raw = modeler.planes();
   results.models.noisy_merged = modeler.merged_planes();
   results.trajectory_before = modeler.trajectory();

@@ -2,9 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <cstddef>
-#include <functional>
-
+#include "eval/progress.hpp"
 #include "eval/results.hpp"
 #include "modeler/modeler_config.hpp"
 #include "sim/route.hpp"
@@ -12,15 +10,6 @@
 #include "sim/world.hpp"
 
 namespace ribbon_mapper::eval {
-
-/// How far a run is, after each line.
-struct Progress {
-  std::size_t line = 0;   ///< lines done
-  std::size_t lines = 0;  ///< of the whole tour
-  std::size_t ribbons = 0;
-  double real_time_factor = 0.0;  ///< of the modeler alone, so far
-};
-using ProgressCallback = std::function<void(const Progress&)>;
 
 /// The paper's experiment in one process: a tour with noisy localisation is modelled on the way;
 /// at its end the model takes over the true trajectory (a virtual loop closure). The same arguments

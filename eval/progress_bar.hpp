@@ -2,7 +2,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "eval/experiment.hpp"
+#include <chrono>
+#include <string>
+
+#include "eval/progress.hpp"
 
 namespace ribbon_mapper::eval {
 
@@ -10,12 +13,24 @@ namespace ribbon_mapper::eval {
 class ProgressBar {
  public:
   ProgressBar();
+  /// Wipes a bar that has not come to its end.
+  ~ProgressBar();
+  ProgressBar(const ProgressBar&) = delete;
+  ProgressBar& operator=(const ProgressBar&) = delete;
+
   void show(const Progress& progress);
 
+  /// Writes lines to stdout, above the bar.
+  void print(const std::string& lines);
+
  private:
+  std::string time_left(double done) const;
+  void wipe() const;
+
   bool on_terminal_;
   int step_percent_;
-  int shown_percent_ = 0;
+  int shown_percent_ = -1;
+  std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
 };
 
 }  // namespace ribbon_mapper::eval

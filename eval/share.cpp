@@ -17,4 +17,16 @@ fs::path share_directory() {
   return RIBBON_MAPPER_SOURCE_DIR;
 }
 
+fs::path find_shared(const fs::path& path) {
+  std::error_code error;
+  if (fs::exists(path, error)) return path;
+  const fs::path shared = share_directory() / path;
+  return fs::exists(shared, error) ? shared : path;
+}
+
+fs::path shared_name(const fs::path& path) {
+  const fs::path name = path.lexically_normal().lexically_relative(share_directory());
+  return name.empty() || *name.begin() == ".." ? path : name;
+}
+
 }  // namespace ribbon_mapper::eval
