@@ -64,7 +64,8 @@ void ModelerDiagnostics::model(DiagnosticStatusWrapper& status) {
   status.addf("real-time factor", "%.1f", factor);
   status.addf("median time of a line [us]", "%.0f", keeper_.log().median_line_us());
   status.addf("last correction [ms]", "%.1f", keeper_.correction_ms());
-  status.addf("model [MB]", "%.1f", megabytes(static_cast<double>(statistics.memory_bytes)));
+  if (reports_++ % 10 == 0) model_bytes_ = keeper_.modeler().memory_bytes();  // takes a while
+  status.addf("model [MB]", "%.1f", megabytes(static_cast<double>(model_bytes_)));
   status.addf("process [MB]", "%.1f", megabytes(resident_bytes()));
 }
 

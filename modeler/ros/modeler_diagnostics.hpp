@@ -27,6 +27,7 @@ class ModelerDiagnostics {
   std::string scan_topic_;
   diagnostic_updater::Updater updater_;
   std::size_t lines_before_ = 0, dropped_before_ = 0;  ///< at the last report
+  std::size_t reports_ = 0, model_bytes_ = 0;
 };
 
 }  // namespace ribbon_mapper

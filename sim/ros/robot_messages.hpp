@@ -1,0 +1,32 @@
+// SPDX-FileCopyrightText: 2026 ribbon_mapper authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <geometry_msgs/TransformStamped.h>
+#include <nav_msgs/Odometry.h>
+#include <ros/time.h>
+#include <sensor_msgs/JointState.h>
+#include <sensor_msgs/LaserScan.h>
+
+#include <string>
+
+#include "sim/hokuyo.hpp"
+#include "sim/route.hpp"
+
+namespace ribbon_mapper::sim {
+
+// What a PR2 says about itself.
+
+sensor_msgs::LaserScan scan_message(const Scan& scan, const ros::Time& stamp);
+
+sensor_msgs::JointState joint_message(double tilt_rad, const ros::Time& stamp);
+
+geometry_msgs::TransformStamped stamped_transform(const std::string& parent,
+                                                  const std::string& child, const Pose& pose,
+                                                  const ros::Time& stamp);
+
+nav_msgs::Odometry odometry_message(const std::string& parent, const std::string& child,
+                                    const Pose& pose, const Velocity& velocity,
+                                    const ros::Time& stamp);
+
+}  // namespace ribbon_mapper::sim

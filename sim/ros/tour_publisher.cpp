@@ -1,0 +1,137 @@
+// SPDX-FileCopyrightText: 2026 ribbon_mapper authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "sim/ros/tour_publisher.hpp"
+
+#include <ros/names.h>
+#include <rosgraph_msgs/Clock.h>
+#include <std_msgs/Bool.h>
+#include <tf2_msgs/TFMessage.h>
+
+#include <algorithm>
+
+#include "modeler/ros/message_conversions.hpp"
+#include "sim/ros/robot_messages.hpp"
+#include "sim/ros/truth_messages.hpp"
+
+namespace ribbon_mapper::sim {
+namespace {
+
+constexpr double kMapRate_hz = 30.0;
+constexpr Time kWayStep = std::chrono::milliseconds(500);
+
+Time end_of(const Scan& scan) {
+  return scan.stamp +
+         from_seconds((static_cast<double>(scan.ranges_m.size()) - 1.0) * scan.time_increment_s);
+}
+
+}  // namespace
+
+TourPublisher::TourPublisher(ros::NodeHandle& node, const World& world, Tour& tour,
+                             const SimulatorFrames& frames)
+    : tour_(tour), frames_(frames), truth_(world), next_scan_(tour.next_scan()) {
+  // Long queues: a message that waits for a busy machine is better than one that is lost.
+  clock_ = node.advertise<rosgraph_msgs::Clock>("/clock", 1000);
+  tf_ = node.advertise<tf2_msgs::TFMessage>("/tf", 10000);
+  joints_ = node.advertise<sensor_msgs::JointState>("joint_states", 10000);
+  odometry_ = node.advertise<nav_msgs::Odometry>("base_odometry/odom", 10000);
+  true_pose_ = node.advertise<nav_msgs::Odometry>("base_pose_ground_truth", 10000);
+  scan_ = node.advertise<sensor_msgs::LaserScan>("tilt_scan", 10000);
+  truth_planes_ = node.advertise<PlaneArray>("ground_truth/planes", 1, true);
+  true_way_ = node.advertise<nav_msgs::Path>("ground_truth/trajectory", 1, true);
+  world_ = node.advertise<visualization_msgs::MarkerArray>("ground_truth/world", 1, true);
+  finished_ = node.advertise<std_msgs::Bool>("tour_finished", 1, true);
+  world_.publish(world_markers(world, map_header(Time(0))));
+  publish_finished(false);
+}
+
+bool TourPublisher::has_subscriber(const std::string& topic) const {
+  const std::string name = ros::names::resolve(topic);
+  for (const ros::Publisher* publisher : {&clock_, &tf_, &joints_, &odometry_, &true_pose_, &scan_})
+    if (publisher->getTopic() == name) return publisher->getNumSubscribers() > 0;
+  return true;
+}
+
+Time TourPublisher::in_tour(Time now) const {
+  return std::clamp(now - kStart, Time(0), tour_.duration());
+}
+
+std_msgs::Header TourPublisher::map_header(Time now) const {
+  std_msgs::Header header;
+  header.frame_id = frames_.map;
+  header.stamp = stamp_of(now);
+  return header;
+}
+
+void TourPublisher::tick(Time now) {
+  now_ = now;
+  rosgraph_msgs::Clock clock;
+  clock.clock = stamp_of(now);
+  clock_.publish(clock);
+  publish_base(now);
+  publish_joints(now);
+  publish_localisation(now);
+  publish_scans(now);
+  publish_way(now);
+}
+
+void TourPublisher::publish_base(Time now) {
+  const Time at = in_tour(now);
+  const ros::Time stamp = stamp_of(now);
+  const Pose T_odom_base = tour_.T_odom_base(at);
+  const Velocity velocity = tour_.true_velocity(at);
+  tf2_msgs::TFMessage tf;
+  tf.transforms.push_back(stamped_transform(frames_.odom, frames_.base, T_odom_base, stamp));
+  tf_.publish(tf);
+  odometry_.publish(odometry_message(frames_.odom, frames_.base, T_odom_base, velocity, stamp));
+  true_pose_.publish(odometry_message(frames_.map, frames_.base, tour_.true_T_map_base(at),
+                                      velocity, stamp));
+}
+
+void TourPublisher::publish_joints(Time now) {
+  // The tilt moves before the tour as well: it is a function of time alone.
+  const Time at = std::max(now - kStart, Time(0));
+  joints_.publish(joint_message(tour_.tilt_angle(at), stamp_of(now)));
+}
+
+void TourPublisher::publish_localisation(Time now) {
+  const auto stamp_of_tick = [](std::size_t tick) {
+    return kFirstTick + from_seconds(static_cast<double>(tick) / kMapRate_hz);
+  };
+  tf2_msgs::TFMessage tf;
+  for (; stamp_of_tick(map_ticks_) <= now; ++map_ticks_) {
+    const Time stamp = stamp_of_tick(map_ticks_);
+    tf.transforms.push_back(stamped_transform(frames_.map, frames_.odom,
+                                              tour_.T_map_odom(in_tour(stamp)), stamp_of(stamp)));
+  }
+  if (!tf.transforms.empty()) tf_.publish(tf);
+}
+
+void TourPublisher::publish_scans(Time now) {
+  // A driver sends a scan when its last beam is in.
+  while (next_scan_ && kStart + end_of(*next_scan_) <= now) {
+    scan_.publish(scan_message(*next_scan_, stamp_of(kStart + next_scan_->stamp)));
+    truth_.add(*next_scan_, tour_);
+    ++lines_;
+    next_scan_ = tour_.next_scan();
+  }
+}
+
+void TourPublisher::publish_way(Time now) {
+  if (!way_.empty() && now < way_.back().stamp + kWayStep) return;
+  if (now > kStart + tour_.duration() + kWayStep) return;
+  way_.push_back({now, tour_.true_T_map_base(in_tour(now))});
+  if (true_way_.getNumSubscribers() > 0) true_way_.publish(path_message(way_, frames_.map, now));
+}
+
+void TourPublisher::publish_truth() {
+  true_way_.publish(path_message(way_, frames_.map, now_));
+  truth_planes_.publish(truth_message(truth_.planes(), map_header(now_)));
+}
+
+void TourPublisher::publish_finished(bool finished) {
+  std_msgs::Bool message;
+  message.data = finished;
+  finished_.publish(message);
+}
+
+}  // namespace ribbon_mapper::sim
