@@ -37,6 +37,7 @@ void visit_keys(Config& config, Visitor& visit) {
   visit("map.corrected.angle_deg", map.corrected.angle_deg, 0.1, 45.0);
   visit("map.corrected.distance_m", map.corrected.distance_m, 1e-3, 10.0);
   visit("map.bridged_gap_m", map.bridged_gap_m, 0.05, 10.0);
+  visit("map.stripe_gap_m", map.stripe_gap_m, 0.01, 10.0);
   visit("map.cell_size_m", map.cell_size_m, 0.01, 1.0);
   visit("map.confirmed_ribbons", map.confirmed_ribbons, 1, 100000);
   visit("map.confirmed_area_m2", map.confirmed_area_m2, 0.0, 1000.0);

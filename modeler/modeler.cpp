@@ -98,7 +98,8 @@ std::vector<Plane> Modeler::planes() const {
 }
 
 std::vector<Plane> Modeler::merged_planes() const {
-  return filtered_planes(state_->map.merged_hypotheses(), state_->evidence(), state_->config.map);
+  const State& s = *state_;
+  return filtered_planes(s.map.merged_hypotheses(), s.map.gates(), s.evidence(), s.config.map);
 }
 
 const std::vector<StampedPose>& Modeler::trajectory() const { return state_->trajectory.poses(); }

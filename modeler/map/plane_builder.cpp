@@ -85,11 +85,11 @@ int component_of(const PosedRibbon& ribbon, const Plane& plane,
   return found == components.end() ? 0 : found->second;
 }
 
-/// One hypothesis for each connected piece of the plane; the largest keeps the id.
-std::vector<Hypothesis> split(const Hypothesis& whole, const Plane& plane,
-                              const Evidence& evidence, const PlaneMapConfig& config) {
-  const std::vector<int> numbers =
-      connected_components(plane.cells, config.cell_size_m, config.bridged_gap_m);
+/// One hypothesis for each piece of the plane that is connected over gaps of at most `gap_m`; the
+/// largest keeps the id.
+std::vector<Hypothesis> split(const Hypothesis& whole, const Plane& plane, double gap_m,
+                              const Evidence& evidence) {
+  const std::vector<int> numbers = connected_components(plane.cells, plane.cell_size_m, gap_m);
   const int count = *std::max_element(numbers.begin(), numbers.end()) + 1;
   if (count == 1) return {whole};
   std::map<std::pair<int, int>, int> components;
@@ -103,6 +103,21 @@ std::vector<Hypothesis> split(const Hypothesis& whole, const Plane& plane,
     pieces[component_of(ribbon, plane, components)].add(ribbon, member);
   }
   return pieces;
+}
+
+/// Two things side by side may have passed for one plane that is tilted a little: pieces with a gap
+/// between them stay together only if each by itself says so.
+std::vector<Hypothesis> agreeing(const std::vector<Hypothesis>& pieces,
+                                 const AssociationGates& gates) {
+  std::vector<Hypothesis> groups;
+  for (const Hypothesis& piece : pieces) {
+    if (piece.members().empty()) continue;
+    const auto group = std::find_if(groups.begin(), groups.end(), [&](const Hypothesis& group_) {
+      return are_one_plane(group_, piece, gates);
+    });
+    group == groups.end() ? groups.push_back(piece) : group->absorb(piece);
+  }
+  return groups;
 }
 
 /// A facet of a column is no plane.
@@ -140,17 +155,25 @@ std::vector<Plane> confirmed_planes(const std::vector<Hypothesis>& hypotheses,
 }
 
 std::vector<Plane> filtered_planes(const std::vector<Hypothesis>& hypotheses,
-                                   const Evidence& evidence, const PlaneMapConfig& config) {
+                                   const AssociationGates& gates, const Evidence& evidence,
+                                   const PlaneMapConfig& config) {
   std::vector<Plane> planes;
-  for (const Hypothesis& hypothesis : hypotheses) {
-    if (!may_reach(config.least_area_m2, hypothesis, evidence, config)) continue;
-    const Plane whole = build_plane(hypothesis, evidence, config);
-    if (whole.area_m2 < config.least_area_m2) continue;
-    for (const Hypothesis& piece : split(hypothesis, whole, evidence, config)) {
-      if (!may_reach(config.least_area_m2, piece, evidence, config)) continue;
-      Plane plane = build_plane(piece, evidence, config);
-      if (plane.area_m2 < config.least_area_m2 || is_curved(plane, config)) continue;
-      planes.push_back(std::move(plane));
+  const auto is_plane = [&](const Plane& plane) {
+    return plane.area_m2 >= config.least_area_m2 && !is_curved(plane, config);
+  };
+  for (const Hypothesis& whole : hypotheses) {
+    if (!may_reach(config.least_area_m2, whole, evidence, config)) continue;
+    const Plane rough = build_plane(whole, evidence, config);
+    if (rough.area_m2 < config.least_area_m2) continue;
+    const auto pieces = split(whole, rough, config.stripe_gap_m, evidence);
+    for (const Hypothesis& group : agreeing(pieces, gates)) {
+      if (!may_reach(config.least_area_m2, group, evidence, config)) continue;
+      const Plane plane = build_plane(group, evidence, config);
+      for (const Hypothesis& part : split(group, plane, config.bridged_gap_m, evidence)) {
+        if (!may_reach(config.least_area_m2, part, evidence, config)) continue;
+        Plane candidate = build_plane(part, evidence, config);
+        if (is_plane(candidate)) planes.push_back(std::move(candidate));
+      }
     }
   }
   planes = without_bevels(std::move(planes), config);

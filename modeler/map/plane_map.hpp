@@ -30,6 +30,7 @@ class PlaneMap {
   /// with which it shares the most ribbons, as far as that is still free.
   void take_ids_from(const PlaneMap& before);
   std::int64_t next_id() const { return next_id_; }
+  const AssociationGates& gates() const { return gates_; }
 
   std::size_t memory_bytes() const;
 

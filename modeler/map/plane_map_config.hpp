@@ -23,6 +23,9 @@ struct PlaneMapConfig {
   /// a plane's ribbons another ribbon may lie to join it.
   double bridged_gap_m = 1.0;
 
+  /// Gaps of at most this are those between scan lines [m].
+  double stripe_gap_m = 0.3;
+
   /// Side of the cells of a plane's grid [m].
   double cell_size_m = 0.05;
 
