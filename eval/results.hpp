@@ -30,7 +30,7 @@ struct Results {
   std::vector<StampedPose> trajectory_before;
   std::vector<StampedPose> trajectory_after;
   std::vector<StampedPose> trajectory_truth;
-  /// Closed polygons or segments of the world in a top view, for the figure [m].
+  /// Lines of the world in a top view, for the figure [m].
   std::vector<std::vector<Eigen::Vector2d>> world_outlines;
 };
 

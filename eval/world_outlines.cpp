@@ -2,14 +2,17 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "eval/world_outlines.hpp"
 
+#include "eval/chains.hpp"
+
 namespace ribbon_mapper::eval {
 
 std::vector<std::vector<Eigen::Vector2d>> world_outlines(const sim::World& world) {
-  std::vector<std::vector<Eigen::Vector2d>> outlines;
+  constexpr double kTolerance_m = 0.005;  // thinner than a line in the figure
+  std::vector<Segment> segments;
   for (const double z_m : {0.4, 0.73, 1.5}) {
-    for (const auto& segment : world.outlines_at(z_m)) outlines.push_back({segment[0], segment[1]});
+    for (const Segment& segment : world.outlines_at(z_m)) segments.push_back(segment);
   }
-  return outlines;
+  return chains_of(segments, kTolerance_m);  // what several heights share is there once
 }
 
 }  // namespace ribbon_mapper::eval

@@ -27,17 +27,19 @@ from matplotlib.lines import Line2D  # noqa: E402
 from matplotlib.patches import Patch  # noqa: E402
 
 WIDTH_IN = 8.0
-TITLES_IN, LEGEND_IN = 0.62, 0.42
+TITLES_IN, LEGEND_IN = 0.68, 0.34
 MARGIN_M = 0.3
 WALL_MAX_NORMAL_Z = 0.5  # steeper than 60 degrees: shown by its edge
 FLOOR_MIN_AREA_M2 = 10.0  # a flat plane larger than this is a floor or a ceiling
-STROKE_PT = 1.9
-WORLD = {"color": "0.72", "linewidth": 0.6}
+MAX_LIGHT = 0.62  # of a colour on white paper
+STROKE_PT = 1.5  # both sides of a thin wall can be told apart
+WORLD = {"color": "0.7", "linewidth": 0.5}
+FLOOR = (0.5, 0.5, 0.5, 0.07)
 BELIEVED = {"color": "tab:red", "linewidth": 1.0}
 TRUE = {"color": "black", "linewidth": 0.8, "linestyle": (0, (4, 3))}
 
 plt.rcParams.update({
-    "font.size": 8.5,
+    "font.size": 8,
     "svg.hashsalt": "ribbon_mapper",  # the same run gives the same bytes
     "svg.fonttype": "none",
 })
@@ -58,29 +60,36 @@ def on_ground(plane):
     return [(x, y) for x, y, _ in plane["outline"]]
 
 
-def draw_flat_planes(axes, planes, colour_of):
+def on_paper(colour):
+    """The colour, darker where it would be too light for a thin line."""
+    red, green, blue = matplotlib.colors.to_rgb(colour)
+    light = 0.30 * red + 0.59 * green + 0.11 * blue
+    return tuple(c * min(1.0, MAX_LIGHT / max(light, 1e-6)) for c in (red, green, blue))
+
+
+def draw_level_planes(axes, planes, colour_of):
     """Floors as a hint, table tops as areas; the large ones below the small ones."""
     for plane in sorted(planes, key=lambda p: -p["area"]):
         is_floor = plane["area"] > FLOOR_MIN_AREA_M2
         colour = colour_of(plane)
         axes.add_collection(PolyCollection(
-            [on_ground(plane)], facecolors=[(*colour, 0.07 if is_floor else 0.30)],
-            edgecolors=["none" if is_floor else (*colour, 0.9)], linewidths=0.7, zorder=1))
+            [on_ground(plane)], facecolors=[FLOOR if is_floor else (*colour, 0.28)],
+            edgecolors=["none" if is_floor else colour], linewidths=0.7, zorder=1))
 
 
 def draw_planes(axes, planes, colour_of):
     planes = [plane for plane in planes if plane["outline"]]
-    flat = [p for p in planes if abs(p["normal"][2]) > WALL_MAX_NORMAL_Z]
+    level = [p for p in planes if abs(p["normal"][2]) > WALL_MAX_NORMAL_Z]
     steep = [p for p in planes if abs(p["normal"][2]) <= WALL_MAX_NORMAL_Z]
-    draw_flat_planes(axes, flat, colour_of)
+    draw_level_planes(axes, level, colour_of)
     axes.add_collection(LineCollection([on_ground(p) + on_ground(p)[:1] for p in steep],
                                        colors=[colour_of(p) for p in steep],
-                                       linewidths=STROKE_PT, capstyle="butt", zorder=3))
+                                       linewidths=STROKE_PT, joinstyle="bevel", zorder=3))
 
 
 def draw_world(axes, outlines):
-    axes.add_collection(LineCollection([o + o[:1] for o in outlines if o], zorder=2,
-                                       colors=WORLD["color"], linewidths=WORLD["linewidth"]))
+    axes.add_collection(LineCollection(outlines, zorder=2, colors=WORLD["color"],
+                                       linewidths=WORLD["linewidth"]))
 
 
 def draw_trajectories(axes, believed, truth):
@@ -110,9 +119,9 @@ def box_around(outlines, *plane_lists):
 
 def add_legend(figure):
     handles = [
-        Line2D([], [], color="tab:purple", linewidth=STROKE_PT, label="wall"),
+        Line2D([], [], color="tab:purple", linewidth=STROKE_PT, label="upright plane"),
         Patch(facecolor=(0.58, 0.40, 0.74, 0.3), edgecolor="tab:purple", linewidth=0.7,
-              label="table, seat, floor"),
+              label="level plane"),
         Line2D([], [], label="world", **WORLD),
         Line2D([], [], label="believed trajectory", **BELIEVED),
         Line2D([], [], label="true trajectory", **TRUE),
@@ -121,23 +130,24 @@ def add_legend(figure):
                   handlelength=2.0, columnspacing=1.6, borderaxespad=0.3)
 
 
-def counted(number, singular, plural=None):
-    return f"{number} {singular if number == 1 else plural or singular}"
+def counted(number, singular, plural):
+    return f"{number} {singular if number == 1 else plural}"
 
 
-def findings(cell):
-    return ", ".join((f"{cell['matched']} right", counted(cell["duplicates"], "double"),
-                      f"{cell['extra']} wrong", f"{cell['missed']} missed"))
+def findings(cell, truth):
+    return (f"{cell['matched']} of {counted(truth, 'true plane', 'true planes')} found, "
+            f"{counted(cell['duplicates'], 'duplicate', 'duplicates')}, {cell['extra']} extra")
 
 
 def titles_of(summary):
-    """Per panel: what it shows, and how that compares with the truth."""
-    cells = summary["four_cells"]
-    before, after = cells["noisy_merged"], cells["corrected_merged"]
+    """Per panel: its title, and the lines below."""
+    cells, truth = summary["four_cells"], summary["truth_planes"]
+    raw, before, after = cells["noisy_raw"], cells["noisy_merged"], cells["corrected_merged"]
     return [(f"Before the correction: {counted(before['planes'], 'plane', 'planes')}",
-             f"{findings(before)} (as built: {cells['noisy_raw']['planes']})"),
+             f"merged and filtered; as built on the way: {raw['planes']}\n"
+             f"{findings(before, truth)}"),
             (f"After the correction: {counted(after['planes'], 'plane', 'planes')}",
-             f"{findings(after)} (truth: {summary['truth_planes']})")]
+             f"merged and filtered; truth: {truth}\n{findings(after, truth)}")]
 
 
 def figure_height(box):
@@ -156,10 +166,12 @@ def new_panels(box):
     return figure, panels
 
 
-def set_title(axes, title):
-    axes.text(0.5, 1.0, title[0], transform=axes.transAxes, ha="center", va="bottom",
-              fontsize=11, fontweight="bold", linespacing=1.4).set_y(1.065)
-    axes.text(0.5, 1.005, title[1], transform=axes.transAxes, ha="center", va="bottom")
+def set_title(axes, title, text):
+    axes.annotate(text, (0.5, 1.0), (0, 3), xycoords="axes fraction", textcoords="offset points",
+                  ha="center", va="bottom", linespacing=1.3)
+    axes.annotate(title, (0.5, 1.0), (0, 30), xycoords="axes fraction",
+                  textcoords="offset points", ha="center", va="bottom", fontsize=11,
+                  fontweight="bold")
 
 
 def draw(directory):
@@ -171,7 +183,7 @@ def draw(directory):
     titles = titles_of(load_json(directory / "summary.json"))
 
     def colour_of(plane):
-        return matplotlib.colors.to_rgb(data["colours"].get(str(plane["id"]), "0.3"))
+        return on_paper(data["colours"].get(str(plane["id"]), "0.3"))
 
     box = box_around(data["world_outlines"], *planes)
     figure, panels = new_panels(box)
@@ -179,7 +191,7 @@ def draw(directory):
         draw_world(axes, data["world_outlines"])
         draw_planes(axes, model, colour_of)
         draw_trajectories(axes, believed, truth)
-        set_title(axes, title)
+        set_title(axes, *title)
     draw_scale_bar(panels[0], box)
     add_legend(figure)
     return figure

@@ -44,7 +44,7 @@ void VoxelIndex::voxels_of(const PosedRibbon& ribbon, std::vector<VoxelKey>& key
 }
 
 void VoxelIndex::enter(std::uint32_t slot, const std::vector<VoxelKey>& keys) {
-  if (touched_.size() <= slot) touched_.resize(slot + 1);
+  if (touched_.size() <= slot) touched_.resize(slot + 1), asked_.resize(slot + 1, 0);
   std::vector<VoxelKey>& touched = touched_[slot];
   for (const VoxelKey key : keys) {
     const auto place = std::lower_bound(touched.begin(), touched.end(), key);
@@ -69,16 +69,18 @@ void VoxelIndex::unite(std::uint32_t into, std::uint32_t from) {
   enter(into, keys);
 }
 
-void VoxelIndex::near(const std::vector<VoxelKey>& keys, std::vector<std::uint32_t>& slots) const {
+void VoxelIndex::near(const std::vector<VoxelKey>& keys, std::vector<std::uint32_t>& slots) {
   slots.clear();
+  ++question_;
   for (const VoxelKey key : keys) {
     const auto found = slots_.find(key);
-    if (found != slots_.end()) {
-      slots.insert(slots.end(), found->second.begin(), found->second.end());
+    if (found == slots_.end()) continue;
+    for (const std::uint32_t slot : found->second) {
+      if (asked_[slot] == question_) continue;
+      asked_[slot] = question_;
+      slots.push_back(slot);
     }
   }
-  std::sort(slots.begin(), slots.end());
-  slots.erase(std::unique(slots.begin(), slots.end()), slots.end());
 }
 
 std::size_t VoxelIndex::memory_bytes() const {

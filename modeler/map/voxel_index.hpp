@@ -26,8 +26,8 @@ class VoxelIndex {
   /// `from` becomes a part of `into`.
   void unite(std::uint32_t into, std::uint32_t from);
 
-  /// Slots near any of the voxels, each once, ascending.
-  void near(const std::vector<VoxelKey>& keys, std::vector<std::uint32_t>& slots) const;
+  /// Slots near any of the voxels, each once.
+  void near(const std::vector<VoxelKey>& keys, std::vector<std::uint32_t>& slots);
 
   const std::vector<VoxelKey>& touched_by(std::uint32_t slot) const { return touched_[slot]; }
   std::size_t memory_bytes() const;
@@ -36,6 +36,8 @@ class VoxelIndex {
   double voxel_m_;
   std::unordered_map<VoxelKey, std::vector<std::uint32_t>> slots_;  // near a voxel
   std::vector<std::vector<VoxelKey>> touched_;                      // by slot, sorted
+  std::vector<std::uint32_t> asked_;  // number of the last question that a slot answered
+  std::uint32_t question_ = 0;
 };
 
 }  // namespace ribbon_mapper

@@ -120,8 +120,8 @@ class CorrectionNode {
 
 int main(int argc, char** argv) {
   ros::init(argc, argv, "correction");
+  const ros::NodeHandle keeps_logging_up;
   try {
-    ros::NodeHandle keeps_ros_up;
     ribbon_mapper::CorrectionNode node(ribbon_mapper::NodeParameters::read());
     ros::spin();
   } catch (const std::exception& error) {

@@ -167,8 +167,8 @@ void ModelerNode::report() {
 
 int main(int argc, char** argv) {
   ros::init(argc, argv, "modeler");
+  const ros::NodeHandle keeps_logging_up;
   try {
-    ros::NodeHandle keeps_ros_up;
     ribbon_mapper::ModelerNode node(ribbon_mapper::NodeParameters::read());
     ros::spin();
   } catch (const std::exception& error) {

@@ -73,8 +73,8 @@ void run(TourPublisher& publisher, const Tour& tour, double rate) {
 int main(int argc, char** argv) {
   using namespace ribbon_mapper::sim;
   ros::init(argc, argv, "pr2_simulator");
+  ros::NodeHandle node;  // out here: logging ends with the last one
   try {
-    ros::NodeHandle node;
     const SimulatorParameters parameters = SimulatorParameters::read();
     const World world = World::load(parameters.world, parameters.model_paths);
     Tour tour(world, Route::load(parameters.route), parameters.tour);
