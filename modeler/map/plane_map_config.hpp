@@ -31,7 +31,7 @@ struct PlaneMapConfig {
 
   /// A hypothesis is confirmed, as built on the way, from this many ribbons and this seen area on.
   int confirmed_ribbons = 10;
-  double confirmed_area_m2 = 0.25;
+  double confirmed_area_m2 = 0.1;
 
   /// Least seen area of a plane after the final merging [m2].
   double least_area_m2 = 0.5;
