@@ -64,6 +64,9 @@ void run(TourPublisher& publisher, const Tour& tour, double rate) {
     publisher.publish_truth();
     publisher.publish_finished(true);
     said = true;
+    if (publisher.lost_joints() > 0)
+      ROS_WARN("%zu joint states never came back as tf: does robot_state_publisher keep up?",
+               publisher.lost_joints());
   }
 }
 

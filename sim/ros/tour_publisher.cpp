@@ -28,7 +28,7 @@ Time end_of(const Scan& scan) {
 
 TourPublisher::TourPublisher(ros::NodeHandle& node, const World& world, Tour& tour,
                              const SimulatorFrames& frames)
-    : tour_(tour), frames_(frames), truth_(world), next_scan_(tour.next_scan()) {
+    : tour_(tour), frames_(frames), truth_(world), echo_(node), next_scan_(tour.next_scan()) {
   // Long queues: a message that waits for a busy machine is better than one that is lost.
   clock_ = node.advertise<rosgraph_msgs::Clock>("/clock", 1000);
   tf_ = node.advertise<tf2_msgs::TFMessage>("/tf", 10000);
@@ -63,6 +63,7 @@ std_msgs::Header TourPublisher::map_header(Time now) const {
 }
 
 void TourPublisher::tick(Time now) {
+  if (!echo_.wait_for(stamp_of(now_))) ++lost_joints_;
   now_ = now;
   rosgraph_msgs::Clock clock;
   clock.clock = stamp_of(now);

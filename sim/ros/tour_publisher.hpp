@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "sim/ros/simulator_parameters.hpp"
+#include "sim/ros/tilt_echo.hpp"
 #include "sim/tour.hpp"
 #include "sim/truth.hpp"
 
@@ -40,6 +41,7 @@ class TourPublisher {
   void publish_finished(bool finished);
 
   std::size_t lines() const { return lines_; }
+  std::size_t lost_joints() const { return lost_joints_; }  ///< joint states that tf never got
   bool has_subscriber(const std::string& topic) const;
 
  private:
@@ -54,8 +56,9 @@ class TourPublisher {
   Tour& tour_;
   SimulatorFrames frames_;
   TruthCollector truth_;
+  TiltEcho echo_;
   std::optional<Scan> next_scan_;
-  std::size_t lines_ = 0, map_ticks_ = 0;
+  std::size_t lines_ = 0, map_ticks_ = 0, lost_joints_ = 0;
   Time now_{0};
   ros::Publisher clock_, tf_, joints_, odometry_, true_pose_, scan_;
   ros::Publisher truth_planes_, true_way_, world_, finished_;
