@@ -44,11 +44,25 @@ CLI::Validator accepted_by(Parse parse) {
       "");
 }
 
+/// CLI11's own range lets nan through.
+void require_drift(const std::string& text) {
+  double drift = -1.0;
+  if (CLI::detail::lexical_cast(text, drift) && drift >= 0.0 && drift <= 1000.0) return;
+  throw std::invalid_argument("'" + text + "' is not a number from 0 to 1000");
+}
+
+/// CLI11 takes -1 for a very large number.
+void require_seed(const std::string& text) {
+  const bool is_whole = text.find_first_not_of("0123456789") == std::string::npos;
+  if (is_whole && !text.empty() && text.size() <= 18) return;
+  throw std::invalid_argument("'" + text + "' is not a whole number from 0 on");
+}
+
 void add_run_options(CLI::App& app, ExperimentOptions& options) {
   app.add_option("--world", options.world, "SDF world")->capture_default_str();
   app.add_option("--route", options.route, "route [<world>.route.yaml, beside the world]");
   app.add_option("--drift", options.drift, "scale of the localisation noise, 1: gmapping's")
-      ->check(CLI::Range(0.0, 1000.0).description(""))
+      ->check(accepted_by(require_drift))
       ->capture_default_str();
   app.add_option("--config", options.config, "preset of the modeler")->capture_default_str();
   app.add_option("--model-path", options.model_paths,
@@ -85,8 +99,9 @@ std::variant<ExperimentOptions, int> parse_experiment_options(int argc, const ch
   CLI::App app(kDescription, "experiment");
   app.footer(kFooter);
   add_run_options(app, options);
-  auto* seed =
-      app.add_option("--seed", options.seeds.front(), "of all noise")->capture_default_str();
+  auto* seed = app.add_option("--seed", options.seeds.front(), "of all noise")
+                   ->check(accepted_by(require_seed))
+                   ->capture_default_str();
   app.add_option("--seeds", seeds, "several, such as 1-20 or 1,3,5: one folder each, and medians")
       ->check(accepted_by(seeds_from))
       ->excludes(seed);

@@ -11,6 +11,8 @@
 #include "modeler/io/planes_json.hpp"
 #include "modeler/io/save.hpp"
 #include "modeler/io/tum.hpp"
+#include "modeler/map/outline.hpp"
+#include "modeler/map/plane_map_config.hpp"
 
 namespace ribbon_mapper::eval {
 namespace {
@@ -45,6 +47,14 @@ std::string figure_data(const Results& results) {
   return nlohmann::ordered_json{{"world_outlines", outlines}, {"colours", colours}}.dump() + "\n";
 }
 
+/// Planes as built on the way come without outlines, which nobody needs then.
+std::vector<Plane> with_outlines(std::vector<Plane> planes) {
+  for (Plane& plane : planes) {
+    if (plane.outline.empty()) plane.outline = outline_of(plane, PlaneMapConfig().bridged_gap_m);
+  }
+  return planes;
+}
+
 double degrees(double angle_rad) { return angle_rad * 180.0 / 3.14159265358979323846; }
 
 }  // namespace
@@ -66,10 +76,12 @@ void evaluate(Results& results) {
 void write_results(const Results& results, const std::filesystem::path& directory) {
   create_directory_for_files(directory);
   write_file_atomically(directory / "summary.json", summary_to_json(results.summary));
-  write_file_atomically(directory / "planes_before.json", planes_to_json(results.models.noisy_raw));
+  write_file_atomically(directory / "planes_before.json",
+                        planes_to_json(with_outlines(results.models.noisy_raw)));
   write_file_atomically(directory / "planes_before_merged.json",
                         planes_to_json(results.models.noisy_merged));
-  write_file_atomically(directory / "planes_truth.json", planes_to_json(planes_of(results.truth)));
+  write_file_atomically(directory / "planes_truth.json",
+                        planes_to_json(with_outlines(planes_of(results.truth))));
   write_file_atomically(directory / "trajectory_before.tum", to_tum(results.trajectory_before));
   write_file_atomically(directory / "trajectory_after.tum", to_tum(results.trajectory_after));
   write_file_atomically(directory / "trajectory_truth.tum", to_tum(results.trajectory_truth));

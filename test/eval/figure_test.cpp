@@ -23,8 +23,9 @@ TEST(Figure, IsDrawnFromTheFilesOfARun) {
   ASSERT_TRUE(draw_figure(directory.path()));
   EXPECT_EQ(content_of(directory.path() / "before_after.png").substr(1, 3), "PNG");
   const std::string svg = content_of(directory.path() / "before_after.svg");
-  for (const char* text : {"Before the correction: 2 planes", "as built on the way: 3",
-                           "After the correction: 1 plane", "truth: 1", "1 of 1 true plane found", "</svg>"}) {
+  for (const char* text :
+       {"Before the correction: 2 planes", "as built on the way: 3",
+        "After the correction: 1 plane", "truth: 1", "1 of 1 true plane found", "</svg>"}) {
     EXPECT_TRUE(has(svg, text)) << text;
   }
   ASSERT_TRUE(draw_figure(directory.path()));

@@ -52,6 +52,15 @@ TEST(Results, WritesTheFilesOfTheDemo) {
   EXPECT_EQ(planes("planes_truth.json"), 1U);
 }
 
+TEST(Results, PlanesWithoutOutlineGetOne) {
+  const TemporaryDirectory directory;
+  Results results = sample_results();
+  for (Plane& plane : results.models.noisy_raw) plane.outline.clear();
+  write_results(results, directory.path());
+  const auto json = nlohmann::json::parse(content_of(directory.path() / "planes_before.json"));
+  for (const auto& plane : json.at("planes")) EXPECT_GE(plane.at("outline").size(), 4U);
+}
+
 TEST(Results, TheSameResultsGiveTheSameBytes) {
   const TemporaryDirectory directory;
   for (const char* name : {"a", "b"}) write_results(sample_results(), directory.path() / name);
