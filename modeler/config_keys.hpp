@@ -27,6 +27,7 @@ void visit_keys(Config& config, Visitor& visit) {
   visit("ribbon.outlier_sigmas", ribbon.outlier_sigmas, 1.0, 10.0);
   visit("ribbon.bevel_sigmas", ribbon.bevel_sigmas, 1.0, 100.0);
   visit("ribbon.bevel_slack_m", ribbon.bevel_slack_m, 0.0, 1.0);
+  visit("ribbon.least_incidence_deg", ribbon.least_incidence_deg, 0.0, 90.0);
   visit("ribbon.least_length_m", ribbon.least_length_m, 0.01, 10.0);
   visit("ribbon.least_points", ribbon.least_points, 3, 1000);
   visit("ribbon.sample_length_m", ribbon.sample_length_m, 1e-3, 1.0);

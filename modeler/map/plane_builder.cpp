@@ -62,9 +62,13 @@ Plane build_plane(const Hypothesis& hypothesis, const Evidence& evidence,
   return plane;
 }
 
-/// The cells of its samples are the most that a hypothesis can have seen.
-bool may_reach(double area_m2, const Hypothesis& hypothesis, const Evidence& evidence,
-               const PlaneMapConfig& config) {
+/// False if a hypothesis has too few ribbons to be confirmed, or if even the cells of all their
+/// samples cannot have this area.
+bool is_promising(double area_m2, const Hypothesis& hypothesis, const Evidence& evidence,
+                  const PlaneMapConfig& config) {
+  if (hypothesis.members().size() < static_cast<std::size_t>(config.confirmed_ribbons)) {
+    return false;
+  }
   double most_m2 = 0.0;
   for (const Member& member : hypothesis.members()) {
     most_m2 += evidence.ribbon(member.ribbon).ribbon->samples.size() * config.cell_size_m *
@@ -141,8 +145,7 @@ std::vector<Plane> confirmed_planes(const std::vector<Hypothesis>& hypotheses,
                                     const Evidence& evidence, const PlaneMapConfig& config) {
   std::vector<Plane> planes;
   for (const Hypothesis& hypothesis : hypotheses) {
-    if (hypothesis.members().size() < static_cast<std::size_t>(config.confirmed_ribbons)) continue;
-    if (!may_reach(config.confirmed_area_m2, hypothesis, evidence, config)) continue;
+    if (!is_promising(config.confirmed_area_m2, hypothesis, evidence, config)) continue;
     Plane plane = build_plane(hypothesis, evidence, config);
     if (plane.area_m2 < config.confirmed_area_m2 || is_curved(plane, config)) continue;
     planes.push_back(std::move(plane));
@@ -162,15 +165,15 @@ std::vector<Plane> filtered_planes(const std::vector<Hypothesis>& hypotheses,
     return plane.area_m2 >= config.least_area_m2 && !is_curved(plane, config);
   };
   for (const Hypothesis& whole : hypotheses) {
-    if (!may_reach(config.least_area_m2, whole, evidence, config)) continue;
+    if (!is_promising(config.least_area_m2, whole, evidence, config)) continue;
     const Plane rough = build_plane(whole, evidence, config);
     if (rough.area_m2 < config.least_area_m2) continue;
     const auto pieces = split(whole, rough, config.stripe_gap_m, evidence);
     for (const Hypothesis& group : agreeing(pieces, gates)) {
-      if (!may_reach(config.least_area_m2, group, evidence, config)) continue;
+      if (!is_promising(config.least_area_m2, group, evidence, config)) continue;
       const Plane plane = build_plane(group, evidence, config);
       for (const Hypothesis& part : split(group, plane, config.bridged_gap_m, evidence)) {
-        if (!may_reach(config.least_area_m2, part, evidence, config)) continue;
+        if (!is_promising(config.least_area_m2, part, evidence, config)) continue;
         Plane candidate = build_plane(part, evidence, config);
         if (is_plane(candidate)) planes.push_back(std::move(candidate));
       }

@@ -29,7 +29,8 @@ struct PlaneMapConfig {
   /// Side of the cells of a plane's grid [m].
   double cell_size_m = 0.05;
 
-  /// A hypothesis is confirmed, as built on the way, from this many ribbons and this seen area on.
+  /// A hypothesis is confirmed from this many ribbons on, and as built on the way from this seen
+  /// area on.
   int confirmed_ribbons = 10;
   double confirmed_area_m2 = 0.1;
 

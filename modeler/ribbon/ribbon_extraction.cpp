@@ -147,6 +147,10 @@ void RibbonExtraction::make_ribbon(const LineBuffer& buffer, const Run& run) {
   core = grow(line, core, plane);
   if (core.end < core.begin + static_cast<std::size_t>(config_.least_points)) return;
 
+  const std::size_t centre = (core.begin + core.end) / 2;
+  const double incidence = std::abs(plane.normal().dot(line.directions[centre]));
+  if (incidence < std::sin(config_.least_incidence_deg * degree)) return;
+
   const Pose T_base_odom = line.T_odom_base.inverse();
   Ribbon ribbon;
   ribbon.first_beam = static_cast<std::uint32_t>(core.begin);
