@@ -12,10 +12,17 @@ build: ## install what is needed, configure and build
 test: build ## all tests
 	ctest --test-dir build --output-on-failure
 
+# A port of its own, so that a ROS master which runs already is left alone.
+demo: export ROS_MASTER_URI = http://localhost:11411
+demo: export ROS_HOSTNAME = localhost
+demo: build ## the whole chain in a simulated flat, results in results/loop_closure
+	source build/devel/setup.bash && roslaunch ribbon_mapper loop_closure.launch \
+	  output:=$(CURDIR)/results/loop_closure $(ARGS)
+
 clean: ## forget everything that was built
 	rm -rf build
 
 help: ## this list
 	@grep -E '^[a-z]+:.*##' Makefile | sed 's/:.*##/\t/'
 
-.PHONY: build test clean help
+.PHONY: build test demo clean help

@@ -17,7 +17,7 @@ struct ExperimentOptions {
   std::string route;  ///< empty: beside the world, <name>.route.yaml
   std::string config = "config/pr2.yaml";
   std::vector<std::string> model_paths;
-  double drift = 1.0;
+  double drift = 3.0;  ///< where the paper's 110 planes come from
   std::string noise = "datasheet";
   std::string tilt = "manip";
 
