@@ -89,6 +89,7 @@ visualization_msgs::MarkerArray white_markers(const std::vector<Plane>& planes,
                                               const std_msgs::Header& header) {
   visualization_msgs::Marker marker = triangles(header, "before_correction", 0);
   for (const Plane& plane : planes) add_surface(plane, {255, 255, 255}, kWhiteBehind_m, marker);
+  for (std_msgs::ColorRGBA& colour : marker.colors) colour.a = 0.6F;
   if (marker.points.empty()) marker.action = visualization_msgs::Marker::DELETE;
   visualization_msgs::MarkerArray array;
   array.markers.push_back(std::move(marker));

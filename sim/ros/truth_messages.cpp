@@ -50,7 +50,7 @@ visualization_msgs::MarkerArray world_markers(const World& world, const std_msgs
   lines.scale.x = 0.02;
   lines.color.r = lines.color.g = lines.color.b = 0.55F;
   lines.color.a = 1.0F;
-  for (const double z_m : {0.05, 0.75, 1.5, 2.25}) {
+  for (const double z_m : {0.1, 1.0}) {
     for (const auto& segment : world.outlines_at(z_m)) {
       for (const Eigen::Vector2d& end : segment)
         lines.points.push_back(point_message({end.x(), end.y(), z_m}));
