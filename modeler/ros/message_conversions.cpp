@@ -8,6 +8,10 @@
 namespace ribbon_mapper {
 namespace {
 
+constexpr double kLongestSweep_s = 10.0;
+/// ros::Time holds 32 bits of seconds, and throws beyond.
+constexpr std::uint32_t kLatestStamp_s = 0xffffffffu - 60u;
+
 template <typename Vector, typename Quaternion>
 Pose rigid(const Vector& translation, const Quaternion& rotation) {
   Pose pose = Pose::Identity();
@@ -95,12 +99,15 @@ geometry_msgs::Vector3 vector_message(const Eigen::Vector3d& vector) {
 
 std::optional<std::string> defect_of(const sensor_msgs::LaserScan& scan) {
   if (scan.header.stamp.isZero()) return "stamp is zero";
+  if (scan.header.stamp.sec > kLatestStamp_s) return "stamp is beyond what tf can look up";
   if (scan.header.frame_id.empty()) return "frame is empty";
   if (scan.ranges.empty()) return "no ranges";
+  const double count = static_cast<double>(scan.ranges.size());
   // Drivers differ in whether angle_max is the last beam's angle or the one after it.
   const double beams = (scan.angle_max - scan.angle_min) / static_cast<double>(scan.angle_increment);
-  if (!(std::abs(beams + 1.0 - static_cast<double>(scan.ranges.size())) <= 1.5))
-    return "number of ranges does not fit the angles";
+  if (!(std::abs(beams + 1.0 - count) <= 1.5)) return "number of ranges does not fit the angles";
+  const double sweep_s = scan.time_increment * (count - 1.0);
+  if (!(sweep_s >= 0.0 && sweep_s < kLongestSweep_s)) return "time_increment is out of range";
   return std::nullopt;
 }
 

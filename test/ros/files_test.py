@@ -1,0 +1,76 @@
+#!/usr/bin/python3
+# SPDX-FileCopyrightText: 2026 ribbon_mapper authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""Every launch file, URDF and rviz file that is shipped can be read, and names what exists."""
+import glob
+import os
+import re
+import unittest
+import xml.etree.ElementTree
+
+import roslaunch.config
+import roslaunch.xmlloader
+import yaml
+
+PACKAGE = os.path.dirname(os.path.dirname(os.path.dirname(os.path.abspath(__file__))))
+
+
+def shipped(pattern):
+    files = sorted(glob.glob(os.path.join(PACKAGE, pattern)))
+    assert files, pattern
+    return files
+
+
+def loaded(launch_file, arguments=()):
+    config = roslaunch.config.ROSLaunchConfig()
+    roslaunch.xmlloader.XmlLoader().load(launch_file, config, argv=list(arguments), verbose=False)
+    return config
+
+
+class Files(unittest.TestCase):
+    def test_launch_files(self):
+        for file in shipped('launch/*.launch'):
+            config = loaded(file)
+            self.assertTrue(config.nodes, file)
+            self.assertFalse(config.config_errors, file)
+            for node in config.nodes:
+                self.assertTrue(node.name and node.package and node.type, file)
+
+    def test_loop_closure_starts_all_of_the_chain(self):
+        file = os.path.join(PACKAGE, 'launch/loop_closure.launch')
+        names = {node.name for node in loaded(file).nodes}
+        self.assertEqual(names, {'pr2_simulator', 'robot_state_publisher', 'modeler', 'correction',
+                                 'report'})
+        with_rviz = loaded(file, ['rviz:=true'])
+        self.assertIn('rviz', {node.name for node in with_rviz.nodes})
+
+    def test_files_that_launch_files_name_exist(self):
+        for file in shipped('launch/*.launch'):
+            with open(file) as text:
+                for path in re.findall(r'\$\(find ribbon_mapper\)/([\w./]+)', text.read()):
+                    self.assertTrue(os.path.exists(os.path.join(PACKAGE, path)), (file, path))
+
+    def test_urdf(self):
+        for file in shipped('urdf/*.urdf'):
+            robot = xml.etree.ElementTree.parse(file).getroot()
+            links = {link.get('name') for link in robot.findall('link')}
+            joints = robot.findall('joint')
+            children = [joint.find('child').get('link') for joint in joints]
+            self.assertEqual(len(children), len(set(children)), 'a link has two parents')
+            self.assertEqual(links - set(children), {'base_footprint'}, 'one tree, one root')
+            self.assertTrue({joint.find('parent').get('link') for joint in joints} <= links)
+
+    def test_rviz(self):
+        for file in shipped('rviz/*.rviz'):
+            with open(file) as text:
+                manager = yaml.safe_load(text)['Visualization Manager']
+            self.assertEqual(manager['Global Options']['Fixed Frame'], 'map')
+            displays = manager['Displays']
+            displays += [inner for display in displays for inner in display.get('Displays', [])]
+            for display in displays:
+                self.assertTrue(display['Class'].startswith('rviz/'), display)
+                self.assertIn('Name', display)
+
+
+if __name__ == '__main__':
+    unittest.main()

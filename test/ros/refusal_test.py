@@ -1,0 +1,77 @@
+#!/usr/bin/python3
+# SPDX-FileCopyrightText: 2026 ribbon_mapper authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""Nodes refuse to start with what they do not understand: exit code 1, key and allowed range."""
+import os
+import subprocess
+import sys
+import tempfile
+import unittest
+
+import roslib.packages
+import rospkg
+import rostest
+
+PACKAGE = rospkg.RosPack().get_path('ribbon_mapper')
+PR2 = '_config:=' + PACKAGE + '/config/pr2.yaml'
+ROOM = ['_world:=' + PACKAGE + '/test/ros/room.sdf',
+        '_route:=' + PACKAGE + '/test/ros/room.route.yaml']
+
+
+class Refusal(unittest.TestCase):
+    def refuse(self, node, arguments, *words):
+        """Each start has a name of its own: parameters outlive their node."""
+        Refusal.starts = getattr(Refusal, 'starts', 0) + 1
+        program = roslib.packages.find_node('ribbon_mapper', node)[0]
+        name = '__name:=%s_%d' % (node, Refusal.starts)
+        done = subprocess.run([program, name] + arguments, stderr=subprocess.STDOUT,
+                              stdout=subprocess.PIPE, text=True, timeout=20)
+        self.assertEqual(done.returncode, 1, done.stdout)
+        self.assertIn('FATAL', done.stdout)
+        for word in words:
+            self.assertIn(word, done.stdout)
+
+    def refuse_config(self, text, *words):
+        with tempfile.NamedTemporaryFile('w', suffix='.yaml') as file:
+            file.write(text)
+            file.flush()
+            self.refuse('modeler', ['_config:=' + file.name], os.path.basename(file.name), *words)
+
+    def test_modeler_without_config(self):
+        self.refuse('modeler', [], '/config', 'is missing')
+        self.refuse('modeler', ['_config:=/no/such.yaml'], '/no/such.yaml')
+
+    def test_unknown_or_bad_config_keys(self):
+        self.refuse_config('scan: {no_such_key: 1}\n', 'scan.no_such_key')
+        self.refuse_config('scan: {range_sigma_m: -1}\n', 'range_sigma_m')
+        self.refuse_config('scan: {range_sigma_m: wide}\n', 'range_sigma_m')
+        self.refuse_config('scan: [1, 2\n')
+
+    def test_unknown_or_bad_parameters_of_the_modeler(self):
+        self.refuse('modeler', [PR2, '_no_such:=1'], '/no_such', 'is unknown', '~transform_timeout')
+        self.refuse('modeler', [PR2, '_transform_timeout:=-1'], '/transform_timeout', '0.1 to 60')
+        self.refuse('modeler', [PR2, '_transform_timeout:=soon'], 'must be a number')
+        self.refuse('modeler', [PR2, '_map_frame:=7'], 'must be a text')
+
+    def test_unknown_or_bad_parameters_of_the_correction(self):
+        self.refuse('correction', ['_no_such:=1'], '/no_such', 'is unknown')
+        self.refuse('correction', ['_radius:=0'], '/radius', 'allowed')
+        self.refuse('correction', ['_at_loop:=7'], 'must be true or false')
+
+    def test_unknown_or_bad_parameters_of_the_simulator(self):
+        self.refuse('pr2_simulator', [], '/world', 'is missing')
+        self.refuse('pr2_simulator', ROOM + ['_no_such:=1'], '/no_such', 'is unknown')
+        self.refuse('pr2_simulator', ROOM + ['_rate:=0'], '/rate', '0.01 to 100')
+        self.refuse('pr2_simulator', ROOM + ['_seed:=1.5'], '/seed', 'whole number')
+        self.refuse('pr2_simulator', ROOM + ['_noise:=loud'], 'loud', 'datasheet')
+        self.refuse('pr2_simulator', ROOM + ['_tilt_profile:=wild'], 'wild', 'manip')
+
+    def test_bad_worlds_and_routes(self):
+        self.refuse('pr2_simulator', ['_world:=/no/such.sdf', ROOM[1]], '/no/such.sdf')
+        self.refuse('pr2_simulator', [ROOM[0], '_route:=/no/such.yaml'], '/no/such.yaml')
+        wall = '_route:=' + PACKAGE + '/test/ros/through_the_wall.route.yaml'
+        self.refuse('pr2_simulator', [ROOM[0], wall], 'east')
+
+
+if __name__ == '__main__':
+    rostest.rosrun('ribbon_mapper', 'refusal', Refusal, sys.argv)
