@@ -44,9 +44,10 @@ void visit_keys(Config& config, Visitor& visit) {
   visit("map.confirmed_area_m2", map.confirmed_area_m2, 0.0, 1000.0);
   visit("map.least_area_m2", map.least_area_m2, 0.0, 1000.0);
   visit("map.least_radius_m", map.least_radius_m, 0.0, 1000.0);
+  visit("map.flat_within_m", map.flat_within_m, 0.0, 10.0);
   visit("map.curvature_sigmas", map.curvature_sigmas, 0.0, 100.0);
-  visit("map.bevel_tolerance_m", map.bevel_tolerance_m, 0.0, 1.0);
-  visit("map.bevel_reach_m", map.bevel_reach_m, 0.01, 10.0);
+  visit("map.on_plane_m", map.on_plane_m, 0.0, 1.0);
+  visit("map.beside_plane_m", map.beside_plane_m, 0.01, 10.0);
 
   visit("correction.poses_follow", config.correction.poses_follow);
 }

@@ -26,12 +26,13 @@ struct Modeler::State {
         trajectory(config.correction),
         map(config.map, config.map.slam) {}
 
-  Evidence evidence() const { return {ribbons, trajectory.poses()}; }
+  Evidence evidence() const { return {ribbons, strays, trajectory.poses()}; }
 
   ModelerConfig config;
   LineBuffer buffer;
   RibbonExtraction extraction;
   std::vector<Ribbon> ribbons;
+  std::vector<StrayPoints> strays;
   Trajectory trajectory;
   PlaneMap map;
   std::size_t lines = 0, revision = 0;
@@ -72,8 +73,11 @@ LineResult Modeler::add_scan_line(const LaserBeams& beams, const LinePoses& pose
   const ScanLine& middle = s.buffer.middle();
   const std::vector<Ribbon>& ribbons = s.extraction.extract(s.buffer);
   s.trajectory.add({middle.stamp, middle.T_map_base});
+  const auto pose = static_cast<std::uint32_t>(s.trajectory.poses().size() - 1);
+  s.strays.push_back(s.extraction.strays(s.buffer));
+  s.strays.back().pose = pose;
   for (Ribbon ribbon : ribbons) {
-    ribbon.pose = static_cast<std::uint32_t>(s.trajectory.poses().size() - 1);
+    ribbon.pose = pose;
     s.ribbons.push_back(std::move(ribbon));
     s.map.add(s.evidence().ribbon(s.ribbons.size() - 1),
               static_cast<std::uint32_t>(s.ribbons.size() - 1));
@@ -114,6 +118,9 @@ std::size_t Modeler::memory_bytes() const {
                       2 * s.trajectory.poses().capacity() * sizeof(StampedPose);
   for (const Ribbon& ribbon : s.ribbons) {
     bytes += ribbon.samples.capacity() * sizeof(RibbonSample);
+  }
+  for (const StrayPoints& strays : s.strays) {
+    bytes += sizeof(strays) + strays.samples.capacity() * sizeof(RibbonSample);
   }
   return bytes;
 }

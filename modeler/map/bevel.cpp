@@ -3,49 +3,11 @@
 #include "modeler/map/bevel.hpp"
 
 #include <algorithm>
-#include <cmath>
-#include <cstdint>
-#include <unordered_set>
+
+#include "modeler/map/footprint.hpp"
 
 namespace ribbon_mapper {
 namespace {
-
-/// Where on a plane there are cells, in blocks as wide as the reach.
-class Footprint {
- public:
-  Footprint(const Plane& plane, double reach_m) : plane_(plane), reach_m_(reach_m) {
-    for (const PlaneCell& cell : plane.cells) {
-      blocks_.insert(block_at((cell.u + 0.5) * plane.cell_size_m,
-                              (cell.v + 0.5) * plane.cell_size_m, 0, 0));
-    }
-  }
-
-  /// The back of a thin wall is no part of its front.
-  bool faces(const Plane& other) const { return plane_.normal.dot(other.normal) > 0.0; }
-
-  bool holds(const Eigen::Vector3d& point, double tolerance_m) const {
-    if (std::abs(plane_.normal.dot(point) + plane_.d_m) > tolerance_m) return false;
-    const Eigen::Vector3d place = point - plane_.origin;
-    const double u_m = place.dot(plane_.axis_u), v_m = place.dot(plane_.axis_v);
-    for (int du = -1; du <= 1; ++du) {
-      for (int dv = -1; dv <= 1; ++dv) {
-        if (blocks_.count(block_at(u_m, v_m, du, dv))) return true;
-      }
-    }
-    return false;
-  }
-
- private:
-  std::int64_t block_at(double u_m, double v_m, int du, int dv) const {
-    const auto u = static_cast<std::int64_t>(std::floor(u_m / reach_m_)) + du;
-    const auto v = static_cast<std::int64_t>(std::floor(v_m / reach_m_)) + dv;
-    return u * (std::int64_t{1} << 32) + v;
-  }
-
-  const Plane& plane_;
-  double reach_m_;
-  std::unordered_set<std::int64_t> blocks_;
-};
 
 bool is_bevel(const Plane& plane, const std::vector<Footprint>& larger,
               const PlaneMapConfig& config) {
@@ -53,7 +15,9 @@ bool is_bevel(const Plane& plane, const std::vector<Footprint>& larger,
   for (const PlaneCell& cell : plane.cells) {
     const Eigen::Vector3d point = cell_centre(plane, cell) + cell.mean_m * plane.normal;
     explained += std::any_of(larger.begin(), larger.end(), [&](const Footprint& footprint) {
-      return footprint.faces(plane) && footprint.holds(point, config.bevel_tolerance_m);
+      // The back of a thin wall is no part of its front.
+      return footprint.plane().normal.dot(plane.normal) > 0.0 &&
+             footprint.holds(point, config.on_plane_m);
     });
   }
   return 2 * explained > plane.cells.size();
@@ -70,7 +34,7 @@ std::vector<Plane> without_bevels(std::vector<Plane> planes, const PlaneMapConfi
   for (Plane& plane : planes) {
     if (is_bevel(plane, footprints, config)) continue;
     kept.push_back(std::move(plane));
-    footprints.emplace_back(kept.back(), config.bevel_reach_m);
+    footprints.emplace_back(kept.back(), config.beside_plane_m);
   }
   return kept;
 }

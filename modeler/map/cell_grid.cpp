@@ -48,6 +48,15 @@ void CellGrid::add(const PosedRibbon& ribbon) {
   }
 }
 
+void CellGrid::add(const Eigen::Vector3d& point, std::uint32_t count) {
+  const Eigen::Vector3d place = to_grid_ * point + grid_shift_;
+  Sums& sums = at(static_cast<int>(std::floor(place.x())), static_cast<int>(std::floor(place.y())));
+  const float weight = static_cast<float>(count), distance = static_cast<float>(place.z());
+  sums.count += weight;
+  sums.distance_m += weight * distance;
+  sums.square_m2 += weight * distance * distance;
+}
+
 std::vector<PlaneCell> CellGrid::cells() const {
   std::vector<PlaneCell> cells;
   for (const auto& [key, tile] : tiles_) {

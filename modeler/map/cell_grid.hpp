@@ -21,6 +21,7 @@ class CellGrid {
   explicit CellGrid(const Plane& frame);
 
   void add(const PosedRibbon& ribbon);
+  void add(const Eigen::Vector3d& point, std::uint32_t count);
   std::vector<PlaneCell> cells() const;  ///< sorted by (v, u)
 
  private:

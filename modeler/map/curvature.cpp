@@ -22,16 +22,17 @@ Vector6d terms(double u, double v) {
 }  // namespace
 
 Curvature curvature_of(const Plane& plane) {
-  if (plane.cells.size() < 12) return {0.0, std::numeric_limits<double>::infinity()};
+  if (plane.cells.size() < 12) return {0.0, std::numeric_limits<double>::infinity(), 0.0};
   Matrix6d normal_matrix = Matrix6d::Zero();
   Vector6d right = Vector6d::Zero();
   double square = 0.0;
   for (const PlaneCell& cell : plane.cells) {
     const Eigen::Vector3d place = cell_centre(plane, cell) - plane.centroid;
     const Vector6d row = terms(place.dot(plane.axis_u), place.dot(plane.axis_v));
-    normal_matrix += row * row.transpose();
-    right += cell.mean_m * row;
-    square += cell.mean_m * cell.mean_m;
+    const double weight = cell.count;  // few points, often an edge's, make a poor mean
+    normal_matrix += weight * row * row.transpose();
+    right += weight * cell.mean_m * row;
+    square += weight * cell.mean_m * cell.mean_m;
   }
   const Eigen::LDLT<Matrix6d> solver(normal_matrix);
   const Vector6d c = solver.solve(right);
@@ -45,8 +46,13 @@ Curvature curvature_of(const Plane& plane) {
   const double x = std::cos(direction), y = std::sin(direction);
   Vector6d derivative = Vector6d::Zero();
   derivative.tail<3>() << x * x, 2.0 * x * y, y * y;
-  return {std::abs(mean + sign * radius),
-          std::sqrt(variance * derivative.dot(solver.solve(derivative)))};
+  // The terms' sums hold the second moments; a strip of length L has the variance L^2 / 12.
+  const double along = 2.0 * (x * x * normal_matrix(0, 3) + y * y * normal_matrix(0, 5)) +
+                       2.0 * x * y * normal_matrix(0, 4);
+  const double length_square = 12.0 * along / normal_matrix(0, 0);
+  const double bend = std::abs(mean + sign * radius);
+  return {bend, std::sqrt(variance * derivative.dot(solver.solve(derivative))),
+          bend * length_square / 8.0};
 }
 
 }  // namespace ribbon_mapper

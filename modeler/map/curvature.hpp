@@ -6,10 +6,11 @@
 
 namespace ribbon_mapper {
 
-/// Bend of a surface and its standard error [1/m].
+/// How far a surface is from being flat.
 struct Curvature {
-  double bend = 0.0;   ///< larger principal curvature, absolute
-  double sigma = 0.0;
+  double bend = 0.0;       ///< larger principal curvature, absolute [1/m]
+  double sigma = 0.0;      ///< standard error of the bend [1/m]
+  double sagitta_m = 0.0;  ///< height of the bend's arc over the surface's extent along it
 };
 
 /// Of the quadric that fits the means of a plane's cells best: tells a facet of a column from a

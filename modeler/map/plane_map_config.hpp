@@ -37,15 +37,18 @@ struct PlaneMapConfig {
   /// Least seen area of a plane after the final merging [m2].
   double least_area_m2 = 0.5;
 
-  /// A surface bent to a smaller radius than this [m] is no plane; it must be so by this many
-  /// standard errors.
-  double least_radius_m = 4.0;
+  /// A surface is curved, thus no plane, if its radius is smaller than this [m] by so many standard
+  /// errors, and its arc higher than this over its extent [m]. Facets of columns of 0.24 m measure
+  /// 2 to 5 per metre and 16 to 50 mm, flat boards below 0.7 per metre or 5 mm: their edges pull.
+  double least_radius_m = 1.5;
+  double flat_within_m = 0.01;
   double curvature_sigmas = 3.0;
 
-  /// A plane across a corner is told by its points' lying on larger planes within this (three sigma
-  /// of a range) [m], no further from their cells than about bevel_reach_m.
-  double bevel_tolerance_m = 0.04;
-  double bevel_reach_m = 0.2;
+  /// A single point lies on a plane if it is within three sigma of a range of it [m], and not much
+  /// further than this from where ribbons have seen it [m]. So bevels (planes across a corner, all
+  /// of whose points lie on other planes) are told, and points of no ribbon find their plane.
+  double on_plane_m = 0.04;
+  double beside_plane_m = 0.15;
 };
 
 }  // namespace ribbon_mapper

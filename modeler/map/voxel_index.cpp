@@ -3,7 +3,6 @@
 #include "modeler/map/voxel_index.hpp"
 
 #include <algorithm>
-#include <cmath>
 
 namespace ribbon_mapper {
 namespace {
@@ -11,7 +10,7 @@ namespace {
 constexpr int bits = 21;  // of each coordinate: +-10^6 voxels
 constexpr VoxelKey mask = (VoxelKey{1} << bits) - 1;
 
-VoxelKey key_of(std::int64_t x, std::int64_t y, std::int64_t z) {
+VoxelKey pack(std::int64_t x, std::int64_t y, std::int64_t z) {
   return ((static_cast<VoxelKey>(x) & mask) << (2 * bits)) |
          ((static_cast<VoxelKey>(y) & mask) << bits) | (static_cast<VoxelKey>(z) & mask);
 }
@@ -22,9 +21,9 @@ void for_each_around(VoxelKey key, const Function& function) {
   for (int dx = -1; dx <= 1; ++dx) {
     for (int dy = -1; dy <= 1; ++dy) {
       for (int dz = -1; dz <= 1; ++dz) {
-        function(key_of(static_cast<std::int64_t>(key >> (2 * bits)) + dx,
-                        static_cast<std::int64_t>(key >> bits) + dy,
-                        static_cast<std::int64_t>(key) + dz));
+        function(pack(static_cast<std::int64_t>(key >> (2 * bits)) + dx,
+                      static_cast<std::int64_t>(key >> bits) + dy,
+                      static_cast<std::int64_t>(key) + dz));
       }
     }
   }
@@ -32,13 +31,16 @@ void for_each_around(VoxelKey key, const Function& function) {
 
 }  // namespace
 
+VoxelKey VoxelIndex::key_of(const Eigen::Vector3d& point) const {
+  const Eigen::Vector3d place = (point / voxel_m_).array().floor();
+  return pack(static_cast<std::int64_t>(place.x()), static_cast<std::int64_t>(place.y()),
+              static_cast<std::int64_t>(place.z()));
+}
+
 void VoxelIndex::voxels_of(const PosedRibbon& ribbon, std::vector<VoxelKey>& keys) const {
   keys.clear();
   for (const RibbonSample& sample : ribbon.ribbon->samples) {
-    const Eigen::Vector3d place =
-        (ribbon.T_world_base * sample.point.cast<double>() / voxel_m_).array().floor();
-    const VoxelKey key = key_of(std::llround(place.x()), std::llround(place.y()),
-                                std::llround(place.z()));
+    const VoxelKey key = key_of(ribbon.T_world_base * sample.point.cast<double>());
     if (keys.empty() || keys.back() != key) keys.push_back(key);
   }
 }

@@ -18,6 +18,8 @@ class VoxelIndex {
  public:
   explicit VoxelIndex(double voxel_m) : voxel_m_(voxel_m) {}
 
+  VoxelKey key_of(const Eigen::Vector3d& point) const;
+
   /// Voxels that a ribbon goes through, in its own order, without repetition of neighbours.
   void voxels_of(const PosedRibbon& ribbon, std::vector<VoxelKey>& keys) const;
 

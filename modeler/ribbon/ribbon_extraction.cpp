@@ -151,7 +151,7 @@ void RibbonExtraction::make_ribbon(const LineBuffer& buffer, const Run& run) {
   const double incidence = std::abs(plane.normal().dot(line.directions[centre]));
   if (incidence < std::sin(config_.least_incidence_deg * degree)) return;
 
-  const Pose T_base_odom = line.T_odom_base.inverse();
+  const Pose T_base_odom = line.T_odom_base.inverse(Eigen::Isometry);
   Ribbon ribbon;
   ribbon.first_beam = static_cast<std::uint32_t>(core.begin);
   ribbon.last_beam = static_cast<std::uint32_t>(core.end - 1);
@@ -171,27 +171,46 @@ void RibbonExtraction::make_ribbon(const LineBuffer& buffer, const Run& run) {
     taken_[beam] = 1;
     ribbon.area_m2 += std::min(config_.area_cap_m2, surfel_area_m2(buffer, beam));
   }
-  sample(line, plane, ribbon);
+  sample(line, core, &plane, ribbon.samples);
   ribbons_.push_back(std::move(ribbon));
 }
 
-void RibbonExtraction::sample(const ScanLine& line, const PlaneFit& plane, Ribbon& ribbon) const {
-  const Pose T_base_odom = line.T_odom_base.inverse();
-  for (std::size_t begin = ribbon.first_beam; begin <= ribbon.last_beam;) {
+/// Means over the sample length; without a plane, points are as good as on it.
+void RibbonExtraction::sample(const ScanLine& line, const Run& run, const PlaneFit* plane,
+                              std::vector<RibbonSample>& samples) const {
+  const Pose T_base_odom = line.T_odom_base.inverse(Eigen::Isometry);
+  for (std::size_t begin = run.begin; begin < run.end;) {
     std::size_t end = begin + 1;
-    while (end <= ribbon.last_beam &&
+    while (end < run.end &&
            (line.points[end] - line.points[begin]).norm() < config_.sample_length_m) {
       ++end;
     }
     const Moments moments = line.moments(begin, end);
     RibbonSample sample;
     sample.point = (T_base_odom * moments.mean()).cast<float>();
-    sample.square_m2 =
-        static_cast<float>(moments.mean_square_distance(plane.normal(), plane.d_m()));
+    if (plane) {
+      sample.square_m2 =
+          static_cast<float>(moments.mean_square_distance(plane->normal(), plane->d_m()));
+    }
     sample.count = static_cast<std::uint32_t>(end - begin);
-    ribbon.samples.push_back(sample);
+    samples.push_back(sample);
     begin = end;
   }
+}
+
+StrayPoints RibbonExtraction::strays(const LineBuffer& buffer) const {
+  const ScanLine& line = buffer.middle();
+  StrayPoints strays;
+  strays.sensor = (line.T_odom_base.inverse(Eigen::Isometry) * sensor_origin_).cast<float>();
+  const auto is_stray = [&](std::size_t beam) { return line.has_return(beam) && !taken_[beam]; };
+  for (std::size_t begin = 0; begin < line.size(); ++begin) {
+    if (!is_stray(begin)) continue;
+    std::size_t end = begin + 1;
+    while (end < line.end_of_segment[begin] && is_stray(end)) ++end;
+    sample(line, {begin, end, 0.0}, nullptr, strays.samples);
+    begin = end - 1;
+  }
+  return strays;
 }
 
 }  // namespace ribbon_mapper

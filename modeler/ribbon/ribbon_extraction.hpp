@@ -6,6 +6,7 @@
 
 #include "modeler/ribbon/orientation_grid.hpp"
 #include "modeler/ribbon/ribbon.hpp"
+#include "modeler/ribbon/stray_points.hpp"
 #include "modeler/ribbon/surfel.hpp"
 
 namespace ribbon_mapper {
@@ -20,6 +21,9 @@ class RibbonExtraction {
   /// Valid until the next call.
   const std::vector<Ribbon>& extract(const LineBuffer& buffer);
 
+  /// What is left of that line.
+  StrayPoints strays(const LineBuffer& buffer) const;
+
  private:
   static constexpr int no_cluster = -1;
   struct Run {
@@ -32,7 +36,8 @@ class RibbonExtraction {
   void find_runs(const ScanLine& line);
   void make_ribbon(const LineBuffer& buffer, const Run& run);
   Run grow(const ScanLine& line, Run run, const PlaneFit& plane) const;
-  void sample(const ScanLine& line, const PlaneFit& plane, Ribbon& ribbon) const;
+  void sample(const ScanLine& line, const Run& run, const PlaneFit* plane,
+              std::vector<RibbonSample>& samples) const;
   bool straddles_an_edge(const LineBuffer& buffer, const Run& core, const PlaneFit& plane) const;
 
   ScanConfig scan_;

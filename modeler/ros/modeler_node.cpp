@@ -157,8 +157,9 @@ void ModelerNode::report() {
   if (keeper_.log().lines() == 0) {
     ROS_INFO("Waiting for scans on %s", scan_.getTopic().c_str());
   } else if (std::exchange(reported_lines_, keeper_.log().lines()) != keeper_.log().lines()) {
-    ROS_INFO("%zu lines (%zu dropped), %zu ribbons, %.0f times real time", keeper_.log().lines(),
-             keeper_.log().dropped_lines(), statistics.ribbons, keeper_.real_time_factor());
+    ROS_INFO("%zu lines (%zu dropped), %zu ribbons, %zu planes, %.0f times real time",
+             keeper_.log().lines(), keeper_.log().dropped_lines(), statistics.ribbons,
+             keeper_.modeler().planes().size(), keeper_.real_time_factor());
   }
 }
 

@@ -1,0 +1,34 @@
+// SPDX-FileCopyrightText: 2026 ribbon_mapper authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "modeler/map/footprint.hpp"
+
+#include <cmath>
+
+namespace ribbon_mapper {
+
+Footprint::Footprint(const Plane& plane, double reach_m) : plane_(&plane), reach_m_(reach_m) {
+  for (const PlaneCell& cell : plane.cells) {
+    blocks_.insert(block_at((cell.u + 0.5) * plane.cell_size_m, (cell.v + 0.5) * plane.cell_size_m,
+                            0, 0));
+  }
+}
+
+bool Footprint::holds(const Eigen::Vector3d& point, double tolerance_m) const {
+  if (std::abs(plane_->normal.dot(point) + plane_->d_m) > tolerance_m) return false;
+  const Eigen::Vector3d place = point - plane_->origin;
+  const double u_m = place.dot(plane_->axis_u), v_m = place.dot(plane_->axis_v);
+  for (int du = -1; du <= 1; ++du) {
+    for (int dv = -1; dv <= 1; ++dv) {
+      if (blocks_.count(block_at(u_m, v_m, du, dv))) return true;
+    }
+  }
+  return false;
+}
+
+std::int64_t Footprint::block_at(double u_m, double v_m, int du, int dv) const {
+  const auto u = static_cast<std::int64_t>(std::floor(u_m / reach_m_)) + du;
+  const auto v = static_cast<std::int64_t>(std::floor(v_m / reach_m_)) + dv;
+  return u * (std::int64_t{1} << 32) + v;
+}
+
+}  // namespace ribbon_mapper

@@ -1,0 +1,32 @@
+// SPDX-FileCopyrightText: 2026 ribbon_mapper authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <Eigen/Core>
+#include <cstdint>
+#include <unordered_set>
+
+#include "modeler/map/plane.hpp"
+
+namespace ribbon_mapper {
+
+/// Where on a plane there are cells, in blocks as wide as a reach: which points lie on the plane
+/// and beside what was seen of it. The plane must outlive it.
+class Footprint {
+ public:
+  Footprint(const Plane& plane, double reach_m);
+
+  /// Within `tolerance_m` of the plane, and no further than about the reach from its cells.
+  bool holds(const Eigen::Vector3d& point, double tolerance_m) const;
+
+  const Plane& plane() const { return *plane_; }
+
+ private:
+  std::int64_t block_at(double u_m, double v_m, int du, int dv) const;
+
+  const Plane* plane_;
+  double reach_m_;
+  std::unordered_set<std::int64_t> blocks_;
+};
+
+}  // namespace ribbon_mapper

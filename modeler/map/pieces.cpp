@@ -1,0 +1,61 @@
+// SPDX-FileCopyrightText: 2026 ribbon_mapper authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "modeler/map/pieces.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+
+#include "modeler/map/cell_grid.hpp"
+
+namespace ribbon_mapper {
+namespace {
+
+/// Ids of the pieces that a plane falls into beyond its largest: far above any hypothesis' id.
+constexpr std::int64_t piece_step = 1'000'000;
+
+int component_of(const PosedRibbon& ribbon, const Plane& plane,
+                 const std::map<std::pair<int, int>, int>& components) {
+  const auto& samples = ribbon.ribbon->samples;
+  const Eigen::Vector3d place =
+      ribbon.T_world_base * samples[samples.size() / 2].point.cast<double>() - plane.origin;
+  const int u = static_cast<int>(std::floor(place.dot(plane.axis_u) / plane.cell_size_m));
+  const int v = static_cast<int>(std::floor(place.dot(plane.axis_v) / plane.cell_size_m));
+  const auto found = components.find({u, v});
+  return found == components.end() ? 0 : found->second;
+}
+
+}  // namespace
+
+std::vector<Hypothesis> split(const Hypothesis& whole, const Plane& plane, double gap_m,
+                              const Evidence& evidence) {
+  const std::vector<int> numbers = connected_components(plane.cells, plane.cell_size_m, gap_m);
+  const int count = *std::max_element(numbers.begin(), numbers.end()) + 1;
+  if (count == 1) return {whole};
+  std::map<std::pair<int, int>, int> components;
+  for (std::size_t i = 0; i < numbers.size(); ++i) {
+    components[{plane.cells[i].u, plane.cells[i].v}] = numbers[i];
+  }
+  std::vector<Hypothesis> pieces;
+  for (int i = 0; i < count; ++i) pieces.emplace_back(whole.id + i * piece_step);
+  for (const Member& member : whole.members()) {
+    const PosedRibbon ribbon = evidence.ribbon(member.ribbon);
+    pieces[component_of(ribbon, plane, components)].add(ribbon, member);
+  }
+  return pieces;
+}
+
+std::vector<Hypothesis> agreeing(const std::vector<Hypothesis>& pieces,
+                                 const AssociationGates& gates) {
+  std::vector<Hypothesis> groups;
+  for (const Hypothesis& piece : pieces) {
+    if (piece.members().empty()) continue;
+    const auto group = std::find_if(groups.begin(), groups.end(), [&](const Hypothesis& group_) {
+      return are_one_plane(group_, piece, gates);
+    });
+    group == groups.end() ? groups.push_back(piece) : group->absorb(piece);
+  }
+  return groups;
+}
+
+}  // namespace ribbon_mapper

@@ -1,0 +1,23 @@
+// SPDX-FileCopyrightText: 2026 ribbon_mapper authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <vector>
+
+#include "modeler/map/evidence.hpp"
+#include "modeler/map/hypothesis.hpp"
+#include "modeler/map/plane.hpp"
+
+namespace ribbon_mapper {
+
+/// One hypothesis for each piece of the plane that is connected over gaps of at most `gap_m`, the
+/// largest first; it keeps the id. `plane` holds the cells of `whole`.
+std::vector<Hypothesis> split(const Hypothesis& whole, const Plane& plane, double gap_m,
+                              const Evidence& evidence);
+
+/// Two things side by side may have passed for one plane that is tilted a little: pieces with a gap
+/// between them stay together only if each by itself says so.
+std::vector<Hypothesis> agreeing(const std::vector<Hypothesis>& pieces,
+                                 const AssociationGates& gates);
+
+}  // namespace ribbon_mapper

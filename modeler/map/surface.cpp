@@ -1,0 +1,114 @@
+// SPDX-FileCopyrightText: 2026 ribbon_mapper authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "modeler/map/surface.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "modeler/map/footprint.hpp"
+#include "modeler/map/voxel_index.hpp"
+
+namespace ribbon_mapper {
+namespace {
+
+/// The errors of a ribbon's points are one error, that of its pose: a ribbon counts as one
+/// measurement of its mean. Parameters: see Plane::covariance.
+Eigen::Matrix3d covariance_of(const Hypothesis& hypothesis, const Plane& plane) {
+  const Eigen::Matrix3d spread = hypothesis.moments().covariance();
+  Eigen::Matrix<double, 3, 2> axes;
+  axes << plane.axis_u, plane.axis_v;
+  const Eigen::Matrix2d extent = axes.transpose() * spread * axes;
+  const double variance =
+      hypothesis.fit().variances[0] / static_cast<double>(hypothesis.members().size());
+  const Eigen::Matrix2d slopes = variance * extent.inverse();  // of d(height)/du, d(height)/dv
+  Eigen::Matrix2d to_rotations;
+  to_rotations << 0.0, 1.0, -1.0, 0.0;  // a slope along v is a rotation about u
+  Eigen::Matrix3d covariance = Eigen::Matrix3d::Zero();
+  covariance.topLeftCorner<2, 2>() = to_rotations * slopes * to_rotations.transpose();
+  covariance(2, 2) = variance;
+  return covariance;
+}
+
+Plane frame_of(const Hypothesis& hypothesis, const PlaneMapConfig& config) {
+  Plane plane;
+  plane.id = hypothesis.id;
+  plane.cell_size_m = config.cell_size_m;
+  plane.ribbon_count = hypothesis.members().size();
+  plane.normal = hypothesis.normal();
+  plane.d_m = hypothesis.d_m();
+  plane.origin = -plane.d_m * plane.normal;
+  const bool is_level = std::abs(plane.normal.z()) > 0.9;
+  const Eigen::Vector3d other = is_level ? Eigen::Vector3d::UnitY() : Eigen::Vector3d::UnitZ();
+  plane.axis_u = other.cross(plane.normal).normalized();  // horizontal on walls
+  plane.axis_v = plane.normal.cross(plane.axis_u);
+  plane.covariance = covariance_of(hypothesis, plane);
+  return plane;
+}
+
+constexpr double voxel_m = 1.0;
+
+VoxelIndex index_of(const std::vector<Surface>& surfaces) {
+  VoxelIndex index(voxel_m);
+  for (std::uint32_t slot = 0; slot < surfaces.size(); ++slot) {
+    const Plane& plane = surfaces[slot].plane();
+    std::vector<VoxelKey> keys;
+    for (const PlaneCell& cell : plane.cells) {
+      const VoxelKey key = index.key_of(cell_centre(plane, cell));
+      if (keys.empty() || keys.back() != key) keys.push_back(key);
+    }
+    std::sort(keys.begin(), keys.end());
+    keys.erase(std::unique(keys.begin(), keys.end()), keys.end());
+    index.enter(slot, keys);
+  }
+  return index;
+}
+
+}  // namespace
+
+Surface::Surface(const Hypothesis& hypothesis, const Evidence& evidence,
+                 const PlaneMapConfig& config)
+    : plane_(frame_of(hypothesis, config)), grid_(plane_) {
+  for (const Member& member : hypothesis.members()) grid_.add(evidence.ribbon(member.ribbon));
+  refresh();
+}
+
+void Surface::refresh() {
+  plane_.cells = grid_.cells();
+  plane_.area_m2 = plane_.cells.size() * plane_.cell_size_m * plane_.cell_size_m;
+  plane_.centroid.setZero();
+  for (const PlaneCell& cell : plane_.cells) plane_.centroid += cell_centre(plane_, cell);
+  plane_.centroid /= static_cast<double>(plane_.cells.size());
+}
+
+void take_strays(const Evidence& evidence, const PlaneMapConfig& config,
+                 std::vector<Surface>& surfaces) {
+  VoxelIndex index = index_of(surfaces);
+  std::vector<Footprint> footprints;
+  for (const Surface& surface : surfaces) {
+    footprints.emplace_back(surface.plane(), config.beside_plane_m);
+  }
+  std::vector<VoxelKey> key(1);
+  std::vector<std::uint32_t> near;
+  for (std::size_t line = 0; line < evidence.stray_lines(); ++line) {
+    const StrayPoints& strays = evidence.strays(line);
+    const Pose T_world_base = evidence.T_world_base(strays.pose);
+    const Eigen::Vector3d sensor = T_world_base * strays.sensor.cast<double>();
+    VoxelKey asked = 0;
+    near.clear();
+    for (const RibbonSample& sample : strays.samples) {
+      const Eigen::Vector3d point = T_world_base * sample.point.cast<double>();
+      key[0] = index.key_of(point);
+      if (key[0] != asked) index.near(key, near), asked = key[0];
+      for (const std::uint32_t slot : near) {
+        const Plane& plane = surfaces[slot].plane();
+        if (plane.normal.dot(sensor) + plane.d_m <= 0.0) continue;
+        if (footprints[slot].holds(point, config.on_plane_m)) {
+          surfaces[slot].add(point, sample.count);
+        }
+      }
+    }
+  }
+  for (Surface& surface : surfaces) surface.refresh();
+}
+
+}  // namespace ribbon_mapper
