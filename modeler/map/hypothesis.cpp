@@ -11,7 +11,7 @@ namespace {
 constexpr double degree = M_PI / 180.0;
 constexpr double least_cosine_of_side = 0.5;
 // An error of a normal excuses no more than this, however short the base line.
-constexpr double max_excuse_rad = 10.0 * degree;
+constexpr double max_excuse_rad = 3.0 * degree;
 
 double tilt(const Eigen::Vector3d& normal, const Eigen::Vector3d& direction) {
   return std::asin(std::min(1.0, std::abs(normal.dot(direction))));

@@ -13,9 +13,6 @@
 namespace ribbon_mapper {
 namespace {
 
-/// Ribbons have seen at least this share of a plane, points of no ribbon the rest.
-constexpr double least_share_of_ribbons = 0.4;
-
 /// False if a hypothesis has too few ribbons to be confirmed, or if even the cells of all their
 /// samples cannot have this area.
 bool is_promising(double area_m2, const Hypothesis& hypothesis, const Evidence& evidence,
@@ -79,7 +76,8 @@ std::vector<Plane> confirmed_planes(const std::vector<Hypothesis>& hypotheses,
 std::vector<Plane> filtered_planes(const std::vector<Hypothesis>& hypotheses,
                                    const AssociationGates& gates, const Evidence& evidence,
                                    const PlaneMapConfig& config) {
-  const double least_m2 = least_share_of_ribbons * config.least_area_m2;
+  // Small ones, too: points that lie on them are not to be given to others.
+  const double least_m2 = std::min(config.confirmed_area_m2, config.least_area_m2);
   std::vector<Surface> surfaces;
   for (const Hypothesis& whole : hypotheses) {
     if (!is_promising(least_m2, whole, evidence, config)) continue;

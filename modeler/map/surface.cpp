@@ -63,6 +63,41 @@ VoxelIndex index_of(const std::vector<Surface>& surfaces) {
   return index;
 }
 
+/// Finds the surface that a single point lies on.
+class StrayTaker {
+ public:
+  StrayTaker(const PlaneMapConfig& config, std::vector<Surface>& surfaces)
+      : on_plane_m_(config.on_plane_m), surfaces_(surfaces), index_(index_of(surfaces)) {
+    for (const Surface& surface : surfaces) {
+      footprints_.emplace_back(surface.plane(), config.beside_plane_m);
+    }
+  }
+
+  /// The nearest of those that face the sensor; none if all are too far.
+  Surface* surface_of(const Eigen::Vector3d& point, const Eigen::Vector3d& sensor) {
+    const VoxelKey key = index_.key_of(point);
+    if (keys_.empty() || keys_[0] != key) keys_.assign(1, key), index_.near(keys_, near_);
+    Surface* nearest = nullptr;
+    double least_m = on_plane_m_;
+    for (const std::uint32_t slot : near_) {
+      const Plane& plane = surfaces_[slot].plane();
+      const double distance = std::abs(plane.normal.dot(point) + plane.d_m);
+      if (distance > least_m || plane.normal.dot(sensor) + plane.d_m <= 0.0) continue;
+      if (!footprints_[slot].holds(point, on_plane_m_)) continue;
+      nearest = &surfaces_[slot], least_m = distance;
+    }
+    return nearest;
+  }
+
+ private:
+  double on_plane_m_;
+  std::vector<Surface>& surfaces_;
+  VoxelIndex index_;
+  std::vector<Footprint> footprints_;
+  std::vector<VoxelKey> keys_;      // of the last point
+  std::vector<std::uint32_t> near_;  // surfaces near it
+};
+
 }  // namespace
 
 Surface::Surface(const Hypothesis& hypothesis, const Evidence& evidence,
@@ -82,30 +117,14 @@ void Surface::refresh() {
 
 void take_strays(const Evidence& evidence, const PlaneMapConfig& config,
                  std::vector<Surface>& surfaces) {
-  VoxelIndex index = index_of(surfaces);
-  std::vector<Footprint> footprints;
-  for (const Surface& surface : surfaces) {
-    footprints.emplace_back(surface.plane(), config.beside_plane_m);
-  }
-  std::vector<VoxelKey> key(1);
-  std::vector<std::uint32_t> near;
+  StrayTaker taker(config, surfaces);
   for (std::size_t line = 0; line < evidence.stray_lines(); ++line) {
     const StrayPoints& strays = evidence.strays(line);
     const Pose T_world_base = evidence.T_world_base(strays.pose);
     const Eigen::Vector3d sensor = T_world_base * strays.sensor.cast<double>();
-    VoxelKey asked = 0;
-    near.clear();
     for (const RibbonSample& sample : strays.samples) {
       const Eigen::Vector3d point = T_world_base * sample.point.cast<double>();
-      key[0] = index.key_of(point);
-      if (key[0] != asked) index.near(key, near), asked = key[0];
-      for (const std::uint32_t slot : near) {
-        const Plane& plane = surfaces[slot].plane();
-        if (plane.normal.dot(sensor) + plane.d_m <= 0.0) continue;
-        if (footprints[slot].holds(point, config.on_plane_m)) {
-          surfaces[slot].add(point, sample.count);
-        }
-      }
+      if (Surface* surface = taker.surface_of(point, sensor)) surface->add(point, sample.count);
     }
   }
   for (Surface& surface : surfaces) surface.refresh();

@@ -29,8 +29,8 @@ class Surface {
   CellGrid grid_;
 };
 
-/// Gives the points of no ribbon to the surfaces that they lie on, beside what ribbons have seen of
-/// it: the area of a small plane, or of one seen at a slant, is that of all that was seen.
+/// Gives each point of no ribbon to the surface that it lies on, beside what ribbons have seen of
+/// that: the area of a small plane, or of one seen at a slant, is that of all that was seen.
 void take_strays(const Evidence& evidence, const PlaneMapConfig& config,
                  std::vector<Surface>& surfaces);
 

@@ -1,0 +1,64 @@
+// SPDX-FileCopyrightText: 2026 ribbon_mapper authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "eval/ros/received_planes.hpp"
+
+#include <cmath>
+
+namespace ribbon_mapper::eval {
+namespace {
+
+template <typename Message>
+Eigen::Vector3d vector_of(const Message& message) {
+  return {message.x, message.y, message.z};
+}
+
+/// The grid is laid so that the first cell that was sent is (0, 0).
+void set_cells(const BoundedPlane& message, Plane& plane) {
+  if (message.cells.empty()) return;
+  const double size_m = plane.cell_size_m;
+  const Eigen::Vector3d first = vector_of(message.cells.front());
+  plane.origin = first - 0.5 * size_m * (plane.axis_u + plane.axis_v);
+  for (const geometry_msgs::Point32& centre : message.cells) {
+    const Eigen::Vector3d offset = vector_of(centre) - first;
+    const auto index = [&](const Eigen::Vector3d& axis) {
+      return static_cast<std::int32_t>(std::lround(offset.dot(axis) / size_m));
+    };
+    plane.cells.push_back({index(plane.axis_u), index(plane.axis_v), 1, 0.0F, 0.0F});
+  }
+}
+
+Plane plane_from(const BoundedPlane& message) {
+  Plane plane;
+  plane.id = message.id;
+  plane.normal = vector_of(message.normal);
+  plane.d_m = message.d;
+  plane.area_m2 = message.area;
+  plane.ribbon_count = message.ribbon_count;
+  plane.centroid = vector_of(message.centroid);
+  for (int i = 0; i < 9; ++i) plane.covariance(i / 3, i % 3) = message.covariance[i];
+  plane.cell_size_m = message.cell_size;
+  plane.axis_u = vector_of(message.axis_u);
+  plane.axis_v = vector_of(message.axis_v);
+  for (const auto& corner : message.outline.points) plane.outline.push_back(vector_of(corner));
+  set_cells(message, plane);
+  return plane;
+}
+
+}  // namespace
+
+std::vector<Plane> planes_from(const PlaneArray& message) {
+  std::vector<Plane> planes;
+  for (const BoundedPlane& plane : message.planes) planes.push_back(plane_from(plane));
+  return planes;
+}
+
+std::vector<Patch> patches_from(const PlaneArray& message) {
+  std::vector<Patch> patches;
+  for (const BoundedPlane& plane : message.planes) {
+    patches.push_back({vector_of(plane.normal), plane.d, plane.area, {}});
+    for (const auto& cell : plane.cells) patches.back().cells.push_back(vector_of(cell));
+  }
+  return patches;
+}
+
+}  // namespace ribbon_mapper::eval

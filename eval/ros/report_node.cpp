@@ -1,0 +1,141 @@
+// SPDX-FileCopyrightText: 2026 ribbon_mapper authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include <ros/ros.h>
+
+#include <cstdio>
+#include <cstdlib>
+#include <exception>
+#include <stdexcept>
+
+#include "eval/figure.hpp"
+#include "eval/ros/tour_watch.hpp"
+#include "eval/share.hpp"
+#include "eval/world_outlines.hpp"
+#include "modeler/io/atomic_file.hpp"
+#include "modeler/ros/strict_parameters.hpp"
+#include "sim/resource_finder.hpp"
+
+namespace ribbon_mapper::eval {
+namespace {
+
+constexpr double kProgressPeriod_s = 5.0;
+
+struct NodeParameters {
+  std::filesystem::path output;
+  std::string world, model_path;
+  double timeout_s;
+  Summary summary;  ///< with what the launch file knows of the run
+
+  static NodeParameters read() {
+    StrictParameters from;
+    NodeParameters p;
+    p.output = std::filesystem::absolute(from.required_text("output", "a folder for the results"));
+    p.world = from.text("world", "");
+    p.model_path = from.text("model_path", "");
+    p.timeout_s = from.number("timeout", 120.0, 1.0, 1e6);
+    p.summary.world = shared_name(p.world).string();
+    p.summary.route = shared_name(from.text("route", "")).string();
+    p.summary.seed = static_cast<std::uint64_t>(from.integer("seed", 0, 0, 2'000'000'000));
+    p.summary.drift = from.number("drift", 0.0, 0.0, 1000.0);
+    p.summary.command = from.text("command", "");
+    from.refuse_unknown();
+    return p;
+  }
+};
+
+/// Only the figure needs the world: without it, it has no grey lines.
+std::vector<std::vector<Eigen::Vector2d>> outlines_of(const NodeParameters& parameters) {
+  if (parameters.world.empty()) return {};
+  std::string model_path = parameters.model_path;
+  if (const char* list = std::getenv("GAZEBO_MODEL_PATH")) model_path += ":" + std::string(list);
+  try {
+    return world_outlines(sim::World::load(parameters.world, sim::split_path_list(model_path)));
+  } catch (const std::runtime_error& error) {
+    ROS_WARN("The figure will not show the world: %s", error.what());
+    return {};
+  }
+}
+
+/// Waits for the end of a tour and for its correction, then compares the models with the truth.
+class ReportNode {
+ public:
+  explicit ReportNode(const NodeParameters& parameters) : parameters_(parameters) {
+    create_directory_for_files(parameters.output);  // better now than after the tour
+    timer_ = node_.createWallTimer(ros::WallDuration(1.0),
+                                   [this](const ros::WallTimerEvent&) { tick(); });
+  }
+
+  /// Spins until there is a result. The exit code; throws what goes wrong.
+  int run() {
+    ros::spin();
+    if (failure_) std::rethrow_exception(failure_);
+    return is_done_ ? 0 : 1;
+  }
+
+ private:
+  void tick() {
+    try {
+      watch_.look();
+      const std::string missing = watch_.missing();
+      if (missing.empty()) return write();
+      if (watch_.idle_s() > parameters_.timeout_s) fail_for_want_of(missing);
+      show_progress();
+    } catch (...) {
+      failure_ = std::current_exception();
+      ros::shutdown();
+    }
+  }
+
+  void show_progress() {
+    const ros::WallTime now = ros::WallTime::now();
+    if ((now - last_progress_).toSec() < kProgressPeriod_s) return;
+    last_progress_ = now;
+    ROS_INFO("%s", watch_.tour_finished() ? ("waiting for " + watch_.missing()).c_str()
+                                          : watch_.progress().c_str());
+  }
+
+  [[noreturn]] void fail_for_want_of(const std::string& missing) {
+    throw std::runtime_error("No results: " + std::to_string(static_cast<int>(watch_.idle_s())) +
+                             " s without a new line or correction, still waiting for " + missing +
+                             ". The wait is set by ~timeout.");
+  }
+
+  void write() {
+    Results results = watch_.results();
+    Summary& summary = results.summary;
+    const Summary& known = parameters_.summary;
+    summary.command = known.command, summary.world = known.world, summary.route = known.route;
+    summary.seed = known.seed, summary.drift = known.drift;
+    results.world_outlines = outlines_of(parameters_);
+    evaluate(results);
+    write_results(results, parameters_.output);
+    draw_figure(parameters_.output);
+    std::printf("\n%s\nresults in %s\n", summary_table(summary).c_str(),
+                parameters_.output.c_str());
+    std::fflush(stdout);
+    is_done_ = true;
+    ros::shutdown();
+  }
+
+  NodeParameters parameters_;
+  ros::NodeHandle node_;
+  TourWatch watch_;
+  ros::WallTimer timer_;
+  ros::WallTime last_progress_ = ros::WallTime::now();
+  std::exception_ptr failure_;
+  bool is_done_ = false;
+};
+
+}  // namespace
+}  // namespace ribbon_mapper::eval
+
+int main(int argc, char** argv) {
+  ros::init(argc, argv, "report");
+  const ros::NodeHandle keeps_logging_up;
+  try {
+    return ribbon_mapper::eval::ReportNode(ribbon_mapper::eval::NodeParameters::read()).run();
+  } catch (const std::exception& error) {
+    std::fprintf(stderr, "report: %s\n", error.what());  // rosconsole may be down by now
+    return 1;
+  }
+}

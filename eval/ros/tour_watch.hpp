@@ -1,0 +1,65 @@
+// SPDX-FileCopyrightText: 2026 ribbon_mapper authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <nav_msgs/Odometry.h>
+#include <nav_msgs/Path.h>
+#include <ribbon_mapper/GetModel.h>
+#include <ribbon_mapper/PlaneArray.h>
+#include <ros/node_handle.h>
+#include <ros/time.h>
+#include <std_msgs/Bool.h>
+
+#include <cstddef>
+#include <string>
+#include <vector>
+
+#include "eval/results.hpp"
+#include "modeler/ros/pose_history.hpp"
+
+namespace ribbon_mapper::eval {
+
+/// Follows a tour on ROS from its first line to the model after its correction.
+class TourWatch {
+ public:
+  TourWatch();
+
+  /// Asks the modeler how far it is; to be called about once a second.
+  void look();
+
+  bool tour_finished() const { return finished_; }
+  /// Seconds on the wall clock without a new line or correction.
+  double idle_s() const;
+  /// One line for the terminal.
+  std::string progress() const;
+  /// What is still missing for results, in words; empty when everything is there.
+  std::string missing() const;
+
+  /// Fetches both models. Throws std::runtime_error if the modeler does not answer.
+  Results results();
+
+ private:
+  void on_correction(const nav_msgs::Path& path);
+  GetModel::Response model(bool before_correction, bool merged, bool with_cells);
+  bool is_corrected() const;
+  double speed() const;
+
+  ros::NodeHandle node_;
+  ros::ServiceClient get_model_;
+  ros::Subscriber finished_topic_, correction_, truth_planes_topic_, truth_poses_;
+  ros::Subscriber trajectory_topic_, trajectory_before_topic_;
+
+  bool finished_ = false;
+  std::size_t corrections_ = 0;       ///< that were handed to the modeler
+  bool corrected_after_end_ = false;  ///< the last of them came after the tour
+  PlaneArray::ConstPtr truth_planes_;
+  PoseHistory truth_;
+  nav_msgs::Path::ConstPtr trajectory_, trajectory_before_;
+
+  GetModel::Response state_;      ///< without planes' cells
+  bool revision_is_new_ = false;  ///< its trajectory may still be on the way
+  ros::WallTime last_news_ = ros::WallTime::now(), first_line_wall_;
+  ros::Time first_line_, last_line_;
+};
+
+}  // namespace ribbon_mapper::eval
