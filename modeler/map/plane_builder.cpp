@@ -45,13 +45,13 @@ void move(Plane& plane, const Pose& T_map_world) {
   plane.d_m = -plane.normal.dot(plane.origin);
 }
 
-/// Takes out what is too small or a bevel; the others by id, in the map frame.
+/// Takes out what is too small, curved or a bevel; the others by id, in the map frame.
 std::vector<Plane> finished(const std::vector<Surface>& surfaces, double least_area_m2,
                             const Evidence& evidence, const PlaneMapConfig& config) {
   std::vector<Plane> planes;
   for (const Surface& surface : surfaces) {
     const Plane& plane = surface.plane();
-      if (plane.area_m2 >= least_area_m2) planes.push_back(plane);
+    if (plane.area_m2 >= least_area_m2 && !is_curved(plane, config)) planes.push_back(plane);
   }
   planes = without_bevels(std::move(planes), config);
   for (Plane& plane : planes) move(plane, evidence.T_map_world());
@@ -67,8 +67,7 @@ std::vector<Plane> confirmed_planes(const std::vector<Hypothesis>& hypotheses,
   std::vector<Surface> surfaces;
   for (const Hypothesis& hypothesis : hypotheses) {
     if (!is_promising(config.confirmed_area_m2, hypothesis, evidence, config)) continue;
-    Surface surface(hypothesis, evidence, config);
-    if (!is_curved(surface.plane(), config)) surfaces.push_back(std::move(surface));
+    surfaces.emplace_back(hypothesis, evidence, config);
   }
   return finished(surfaces, config.confirmed_area_m2, evidence, config);
 }
@@ -91,8 +90,7 @@ std::vector<Plane> filtered_planes(const std::vector<Hypothesis>& hypotheses,
            split(group, grouped.plane(), config.bridged_gap_m, evidence)) {
         if (!is_promising(least_m2, part, evidence, config)) continue;
         Surface surface(part, evidence, config);
-        if (surface.plane().area_m2 < least_m2 || is_curved(surface.plane(), config)) continue;
-        surfaces.push_back(std::move(surface));
+        if (surface.plane().area_m2 >= least_m2) surfaces.push_back(std::move(surface));
       }
     }
   }
