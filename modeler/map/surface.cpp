@@ -73,8 +73,32 @@ class StrayTaker {
     }
   }
 
-  /// The nearest of those that face the sensor; none if all are too far.
-  Surface* surface_of(const Eigen::Vector3d& point, const Eigen::Vector3d& sensor) {
+  void give(const StrayPoints& strays, const Pose& T_world_base) {
+    const Eigen::Vector3d sensor = T_world_base * strays.sensor.cast<double>();
+    give(strays.samples, T_world_base, [&](const Plane& plane) {
+      return plane.normal.dot(sensor) + plane.d_m > 0.0;
+    });
+  }
+
+  void give(const PosedRibbon& ribbon) {
+    give(ribbon.ribbon->samples, ribbon.T_world_base, [&](const Plane& plane) {
+      return plane.normal.dot(ribbon.normal) > least_cosine_of_side;
+    });
+  }
+
+ private:
+  template <typename Faces>
+  void give(const std::vector<RibbonSample>& samples, const Pose& T_world_base,
+            const Faces& faces) {
+    for (const RibbonSample& sample : samples) {
+      const Eigen::Vector3d point = T_world_base * sample.point.cast<double>();
+      if (Surface* surface = surface_of(point, faces)) surface->add(point, sample.count);
+    }
+  }
+
+  /// The nearest of those that face the way that the point was seen from; none if all are too far.
+  template <typename Faces>
+  Surface* surface_of(const Eigen::Vector3d& point, const Faces& faces) {
     const VoxelKey key = index_.key_of(point);
     if (keys_.empty() || keys_[0] != key) keys_.assign(1, key), index_.near(keys_, near_);
     Surface* nearest = nullptr;
@@ -82,14 +106,13 @@ class StrayTaker {
     for (const std::uint32_t slot : near_) {
       const Plane& plane = surfaces_[slot].plane();
       const double distance = std::abs(plane.normal.dot(point) + plane.d_m);
-      if (distance > least_m || plane.normal.dot(sensor) + plane.d_m <= 0.0) continue;
+      if (distance > least_m || !faces(plane)) continue;
       if (!footprints_[slot].holds(point, on_plane_m_)) continue;
       nearest = &surfaces_[slot], least_m = distance;
     }
     return nearest;
   }
 
- private:
   double on_plane_m_;
   std::vector<Surface>& surfaces_;
   VoxelIndex index_;
@@ -98,12 +121,24 @@ class StrayTaker {
   std::vector<std::uint32_t> near_;  // surfaces near it
 };
 
+/// Of each ribbon, whether it is a part of a surface.
+std::vector<char> placed_ribbons(const std::vector<Surface>& surfaces, std::size_t count) {
+  std::vector<char> placed(count, 0);
+  for (const Surface& surface : surfaces) {
+    for (const std::uint32_t ribbon : surface.ribbons()) placed[ribbon] = 1;
+  }
+  return placed;
+}
+
 }  // namespace
 
 Surface::Surface(const Hypothesis& hypothesis, const Evidence& evidence,
                  const PlaneMapConfig& config)
     : plane_(frame_of(hypothesis, config)), grid_(plane_) {
-  for (const Member& member : hypothesis.members()) grid_.add(evidence.ribbon(member.ribbon));
+  for (const Member& member : hypothesis.members()) {
+    grid_.add(evidence.ribbon(member.ribbon));
+    ribbons_.push_back(member.ribbon);
+  }
   refresh();
 }
 
@@ -120,12 +155,11 @@ void take_strays(const Evidence& evidence, const PlaneMapConfig& config,
   StrayTaker taker(config, surfaces);
   for (std::size_t line = 0; line < evidence.stray_lines(); ++line) {
     const StrayPoints& strays = evidence.strays(line);
-    const Pose T_world_base = evidence.T_world_base(strays.pose);
-    const Eigen::Vector3d sensor = T_world_base * strays.sensor.cast<double>();
-    for (const RibbonSample& sample : strays.samples) {
-      const Eigen::Vector3d point = T_world_base * sample.point.cast<double>();
-      if (Surface* surface = taker.surface_of(point, sensor)) surface->add(point, sample.count);
-    }
+    taker.give(strays, evidence.T_world_base(strays.pose));
+  }
+  const std::vector<char> placed = placed_ribbons(surfaces, evidence.ribbon_count());
+  for (std::size_t i = 0; i < placed.size(); ++i) {
+    if (!placed[i]) taker.give(evidence.ribbon(i));
   }
   for (Surface& surface : surfaces) surface.refresh();
 }

@@ -19,6 +19,7 @@ class Surface {
   Surface(const Hypothesis& hypothesis, const Evidence& evidence, const PlaneMapConfig& config);
 
   const Plane& plane() const { return plane_; }
+  const std::vector<std::uint32_t>& ribbons() const { return ribbons_; }  ///< indices
 
   /// Cells that points of no ribbon have seen; refresh() makes them part of the plane.
   void add(const Eigen::Vector3d& point, std::uint32_t count) { grid_.add(point, count); }
@@ -27,10 +28,11 @@ class Surface {
  private:
   Plane plane_;
   CellGrid grid_;
+  std::vector<std::uint32_t> ribbons_;
 };
 
-/// Gives each point of no ribbon to the surface that it lies on, beside what ribbons have seen of
-/// that: the area of a small plane, or of one seen at a slant, is that of all that was seen.
+/// Gives each point of no ribbon, or of a ribbon of no surface (one with a poor normal, across an
+/// edge), to the surface that it lies on, beside what ribbons have seen of that: the area of a small plane, or of one seen at a slant, is that of all that was seen.
 void take_strays(const Evidence& evidence, const PlaneMapConfig& config,
                  std::vector<Surface>& surfaces);
 
