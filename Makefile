@@ -3,12 +3,14 @@
 SHELL := /bin/bash
 .DEFAULT_GOAL := help
 JOBS ?= $(shell nproc)
+GROUP :=
 
 build: ## install what is needed, configure and build
-	./install_dependencies
+	./install_dependencies $(GROUP)
 	cmake -S . -B build -DPYTHON_EXECUTABLE=/usr/bin/python3 -DPython3_EXECUTABLE=/usr/bin/python3
 	cmake --build build -j $(JOBS)
 
+test: GROUP = test
 test: build ## all tests
 	ctest --test-dir build --output-on-failure
 
