@@ -61,6 +61,10 @@ Pose around_the_middle(double time_s) {
   return planar_pose(0.6 * std::cos(angle) - 0.6, 0.6 * std::sin(angle), angle);
 }
 
+Motion tilting_in_place() {
+  return {[](double) { return Pose::Identity(); }, to_and_fro, no_drift};
+}
+
 Pose T_base_laser(double tilt_rad) {
   return Eigen::Translation3d(0.0, 0.0, 1.2) *
          Eigen::AngleAxisd(tilt_rad, Eigen::Vector3d::UnitY());

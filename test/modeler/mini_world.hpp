@@ -50,6 +50,9 @@ double to_and_fro(double time_s);
 /// Turns once and drives 0.6 m around the origin within 15 s.
 Pose around_the_middle(double time_s);
 
+/// A robot that stands at the origin and tilts to and fro.
+Motion tilting_in_place();
+
 /// A laser of `beams` over 180 degrees, 40 lines a second of which 18.5 ms are beams' time, 1.2 m
 /// above the base.
 struct Laser {

@@ -18,6 +18,9 @@ std::string bytes_of(const std::vector<Plane>& planes);
 void expect_same(const std::vector<Plane>& expected, const std::vector<Plane>& actual,
                  double tolerance);
 
+/// Without ids, and in an order that does not depend on them.
+std::vector<Plane> anonymous(std::vector<Plane> planes);
+
 /// The plane moved rigidly.
 Plane moved(Plane plane, const Pose& T);
 
