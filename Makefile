@@ -3,18 +3,21 @@
 SHELL := /bin/bash
 .DEFAULT_GOAL := help
 JOBS ?= $(shell nproc)
+GROUP :=
 
 build: ## install what is needed, configure and build
-	./install_dependencies
+	./install_dependencies $(GROUP)
 	cmake -S . -B build -DPYTHON_EXECUTABLE=/usr/bin/python3 -DPython3_EXECUTABLE=/usr/bin/python3
 	cmake --build build -j $(JOBS)
 
+test: GROUP = test
 test: build ## all tests
 	ctest --test-dir build --output-on-failure
 
 # A port of its own, so that a ROS master which runs already is left alone.
 demo: export ROS_MASTER_URI = http://localhost:11411
 demo: export ROS_HOSTNAME = localhost
+demo: GROUP = $(if $(findstring rviz:=true,$(ARGS)),rviz)
 demo: build ## the whole chain in a simulated flat, results in results/loop_closure
 	source build/devel/setup.bash && roslaunch ribbon_mapper loop_closure.launch \
 	  output:=$(CURDIR)/results/loop_closure $(ARGS)
