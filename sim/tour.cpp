@@ -3,20 +3,13 @@
 #include "sim/tour.hpp"
 
 #include "sim/pr2.hpp"
+#include "sim/stream_seed.hpp"
 
 namespace ribbon_mapper::sim {
 namespace {
 
-/// Streams of random numbers that do not disturb each other.
-constexpr std::uint64_t kRangeStream = 0x9e3779b97f4a7c15u, kLocalisationStream = 0xbf58476d1ce4e5b9u;
-
-/// Finaliser of SplitMix64: neighbouring seeds give unrelated streams.
-std::uint64_t stream_seed(std::uint64_t seed, std::uint64_t stream) {
-  std::uint64_t z = seed + stream;
-  z = (z ^ (z >> 30)) * 0xbf58476d1ce4e5b9u;
-  z = (z ^ (z >> 27)) * 0x94d049bb133111ebu;
-  return z ^ (z >> 31);
-}
+/// Streams of random numbers.
+constexpr std::uint64_t kRangeStream = 1, kLocalisationStream = 2;
 
 }  // namespace
 

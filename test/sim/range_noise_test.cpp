@@ -34,7 +34,7 @@ TEST_P(RangeSigma, IsThatOfItsSource) {
   double sum = 0.0, squares = 0.0;
   int count = 0, within = 0;
   for (int line = 0; line < 400; ++line) {
-    const Scan scan = laser.scan(world, Time(0), [](Time) { return Pose::Identity(); });
+    const Scan scan = laser.scan(world, Time(line), [](Time) { return Pose::Identity(); });
     for (std::size_t i = 0; i < scan.ranges_m.size(); ++i, ++count) {
       const double error_m = static_cast<double>(scan.ranges_m[i]) - scan.true_ranges_m[i];
       sum += error_m;
@@ -86,8 +86,9 @@ TEST(RangeNoise, RangesAreWholeMillimetres) {
 /// A board of 0.6 m, 2 m ahead, before a wall 4 m ahead.
 class MixedPixels : public testing::Test {
  protected:
-  Scan scan_from(Hokuyo& laser, double y_m) const {
-    return laser.scan(world_, Time(0),
+  Scan scan_from(const Hokuyo& laser, int line) const {
+    const double y_m = 0.0007 * line;
+    return laser.scan(world_, Time(line),
                       [y_m](Time) -> Pose { return Pose(Eigen::Translation3d(0, y_m, 0)); });
   }
   static HokuyoConfig config(bool mixed) {
@@ -106,7 +107,7 @@ TEST_F(MixedPixels, OnlyAtEdgesOneBeamEachBetweenTheTwoDepths) {
   double share_sum = 0.0;
   int mixed = 0, edges = 0;
   for (int line = 0; line < 300; ++line) {
-    const Scan scan = scan_from(laser, 0.0007 * line);
+    const Scan scan = scan_from(laser, line);
     for (std::size_t i = 1; i + 1 < scan.ranges_m.size(); ++i) {
       const double own_m = scan.true_ranges_m[i];
       const double jump_m = std::abs(scan.true_ranges_m[i + 1] - own_m);
@@ -131,7 +132,7 @@ TEST_F(MixedPixels, OnlyAtEdgesOneBeamEachBetweenTheTwoDepths) {
 TEST_F(MixedPixels, CanBeSwitchedOff) {
   Hokuyo laser(config(false), 5);
   for (int line = 0; line < 20; ++line) {
-    const Scan scan = scan_from(laser, 0.0007 * line);
+    const Scan scan = scan_from(laser, line);
     EXPECT_EQ(scan.ranges_m, scan.true_ranges_m);
   }
 }
