@@ -20,8 +20,13 @@ constexpr double kTurn_s = 60.0 / 2400.0;  // 2400 rpm (hokuyo.cpp)
 /// A neighbouring beam this much nearer or farther makes a depth edge.
 constexpr double kDepthEdge_m = 0.05;
 
-Eigen::Vector3d in_scan_plane(double angle_rad) {
-  return {std::cos(angle_rad), std::sin(angle_rad), 0.0};
+Eigen::Vector2d in_scan_plane(double angle_rad) {
+  return {std::cos(angle_rad), std::sin(angle_rad)};
+}
+
+Ray ray_of(const Pose& T_map_laser, const Eigen::Vector2d& direction) {
+  return {T_map_laser.translation(), direction.x() * T_map_laser.linear().col(0) +
+                                         direction.y() * T_map_laser.linear().col(1)};
 }
 
 bool is_edge(double own_m, double other_m) {
@@ -77,15 +82,13 @@ Hokuyo::Hokuyo(const HokuyoConfig& config, std::uint64_t seed) : config_(config)
   last_step_ = static_cast<int>(std::floor(ahead + config_.angle_max_rad * per_rad) - ahead);
   for (int step = first_step_; step <= last_step_; ++step)
     directions_.push_back(in_scan_plane(step * config_.angle_increment_rad));
+  for (int i = 0; i < beam_count(); ++i)
+    times_.push_back(from_seconds(i * kTurn_s * config_.angle_increment_rad / (2.0 * kPi)));
 }
 
 Time Hokuyo::period() const { return from_seconds(1.0 / config_.rate_hz); }
 
-Time Hokuyo::beam_time(int beam) const {
-  return from_seconds(beam * kTurn_s * config_.angle_increment_rad / (2.0 * kPi));
-}
-
-Time Hokuyo::sweep_time() const { return beam_time(beam_count() - 1); }
+Time Hokuyo::sweep_time() const { return times_.back(); }
 
 Scan Hokuyo::scan(const World& world, Time stamp, const LaserPose& T_map_laser) const {
   Scan scan;
@@ -98,8 +101,7 @@ Scan Hokuyo::scan(const World& world, Time stamp, const LaserPose& T_map_laser) 
   scan.range_max_m = config_.range_max_m;
   scan.rays.reserve(directions_.size());
   for (int i = 0; i < beam_count(); ++i) {
-    const Pose T = T_map_laser(stamp + beam_time(i));
-    scan.rays.push_back({T.translation(), T.linear() * directions_[i]});
+    scan.rays.push_back(ray_of(T_map_laser(stamp + times_[i]), directions_[i]));
   }
   for (const auto& hit : world.cast_line(scan.rays, config_.range_max_m)) {
     scan.true_ranges_m.push_back(hit ? static_cast<float>(hit->range_m) : kNoReturn);
@@ -129,9 +131,8 @@ std::vector<double> Hokuyo::mixed_ranges_m(const World& world, const Scan& scan,
       const int beside = i + side;
       if (beside < 0 || beside >= beam_count() || !is_edge(true_m[i], true_m[beside])) continue;
       const double angle_rad = (first_step_ + i + side / 2.0) * config_.angle_increment_rad;
-      const Pose T = T_map_laser(scan.stamp + beam_time(i));
       beams.push_back(i);
-      rims.push_back({T.translation(), T.linear() * in_scan_plane(angle_rad)});
+      rims.push_back(ray_of(T_map_laser(scan.stamp + times_[i]), in_scan_plane(angle_rad)));
     }
   const auto hits = world.cast_line(rims, config_.range_max_m);
   std::uniform_real_distribution<double> share(0.0, 0.5);

@@ -76,9 +76,9 @@ class Hokuyo {
 
   int beam_count() const { return last_step_ - first_step_ + 1; }
   double angle_min_rad() const { return first_step_ * config_.angle_increment_rad; }
-  Time period() const;             ///< from line to line
-  Time sweep_time() const;         ///< from the first beam to the last
-  Time beam_time(int beam) const;  ///< after the stamp
+  Time period() const;                                     ///< from line to line
+  Time sweep_time() const;                                 ///< from the first beam to the last
+  Time beam_time(int beam) const { return times_[beam]; }  ///< after the stamp
 
  private:
   /// Ranges without noise but with mixed pixels.
@@ -89,7 +89,8 @@ class Hokuyo {
   HokuyoConfig config_;
   std::uint64_t seed_;
   int first_step_, last_step_;               ///< from straight ahead
-  std::vector<Eigen::Vector3d> directions_;  ///< of the beams, in the laser's frame
+  std::vector<Eigen::Vector2d> directions_;  ///< of the beams: x and y in the laser's frame
+  std::vector<Time> times_;                  ///< of the beams, after the stamp
 };
 
 }  // namespace ribbon_mapper::sim

@@ -24,7 +24,7 @@ struct Tour::State {
   }
 
   Pose T_map_laser(Time time) const {
-    return route.T_map_base(time) * pr2::T_base_laser(tilt.angle_rad(time));
+    return pr2::T_map_laser(route.T_map_base(time), tilt.angle_rad(time));
   }
 
   const World& world;
