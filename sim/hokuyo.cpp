@@ -29,6 +29,10 @@ Ray ray_of(const Pose& T_map_laser, const Eigen::Vector2d& direction) {
                                          direction.y() * T_map_laser.linear().col(1)};
 }
 
+std::uint64_t line_seed(std::uint64_t seed, Time stamp) {
+  return stream_seed(seed, stream_seed(0, static_cast<std::uint64_t>(stamp.count())));
+}
+
 bool is_edge(double own_m, double other_m) {
   return std::isfinite(own_m) && std::isfinite(other_m) && std::abs(other_m - own_m) > kDepthEdge_m;
 }
@@ -107,7 +111,7 @@ Scan Hokuyo::scan(const World& world, Time stamp, const LaserPose& T_map_laser) 
     scan.true_ranges_m.push_back(hit ? static_cast<float>(hit->range_m) : kNoReturn);
     scan.faces.push_back(hit ? hit->face : -1);
   }
-  std::mt19937_64 random(stream_seed(seed_, static_cast<std::uint64_t>(stamp.count())));
+  std::mt19937_64 random(line_seed(seed_, stamp));
   std::normal_distribution<double> normal;
   for (const double range_m : mixed_ranges_m(world, scan, T_map_laser, random))
     scan.ranges_m.push_back(measured_m(range_m, normal(random)));

@@ -6,10 +6,10 @@
 
 namespace ribbon_mapper::sim {
 
-/// Seed of one of many streams of random numbers that do not disturb each other: the finaliser of
-/// SplitMix64, by which neighbouring seeds and streams give unrelated numbers.
+/// Seed of one of several streams of random numbers that do not disturb each other: the finaliser
+/// of SplitMix64, by which neighbouring seeds give unrelated numbers.
 inline std::uint64_t stream_seed(std::uint64_t seed, std::uint64_t stream) {
-  std::uint64_t z = seed + stream * 0x9e3779b97f4a7c15u;
+  std::uint64_t z = seed + stream;
   z = (z ^ (z >> 30)) * 0xbf58476d1ce4e5b9u;
   z = (z ^ (z >> 27)) * 0x94d049bb133111ebu;
   return z ^ (z >> 31);

@@ -9,7 +9,8 @@ namespace ribbon_mapper::sim {
 namespace {
 
 /// Streams of random numbers.
-constexpr std::uint64_t kRangeStream = 1, kLocalisationStream = 2;
+constexpr std::uint64_t kRangeStream = 0x9e3779b97f4a7c15u;
+constexpr std::uint64_t kLocalisationStream = 0xbf58476d1ce4e5b9u;
 
 }  // namespace
 
@@ -49,7 +50,11 @@ std::size_t Tour::line_count() const {
 
 std::optional<Scan> Tour::next_scan() {
   if (state_->next_line >= line_count()) return std::nullopt;
-  const Time stamp = static_cast<Time::rep>(state_->next_line++) * state_->hokuyo.period();
+  return scan(state_->next_line++);
+}
+
+Scan Tour::scan(std::size_t line) const {
+  const Time stamp = static_cast<Time::rep>(line) * state_->hokuyo.period();
   return state_->hokuyo.scan(state_->world, stamp,
                              [this](Time time) { return state_->T_map_laser(time); });
 }

@@ -7,6 +7,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <thread>
+
 #include "sim/pr2.hpp"
 #include "sim/tour.hpp"
 #include "test/sim/sample_world.hpp"
@@ -135,6 +137,33 @@ TEST(Hokuyo, ATourSeesTheRoomFromWhereTheRobotIs) {
   }
   EXPECT_EQ(lines, tour.line_count());
   EXPECT_GT(lines, 100U);
+}
+
+bool same_ranges(const Scan& a, const Scan& b) {
+  return a.stamp == b.stamp && a.ranges_m == b.ranges_m && a.faces == b.faces;
+}
+
+/// Noise included: a line depends on its stamp and the seed, not on the lines before it.
+TEST(Hokuyo, LinesMayBeMadeInAnyOrderAndByManyThreads) {
+  const World world = world_of(sdf_block("wall", {4, -9, -9}, {4.1, 9, 9}) +
+                               sdf_block("board", {2, -0.3, -9}, {2.01, 0.3, 9}));
+  const Hokuyo laser(HokuyoConfig(), 8);
+  const auto line = [&](int k) {
+    return laser.scan(world, k * laser.period(), [](Time t) -> Pose {
+      return Pose(Eigen::AngleAxisd(0.1 * to_seconds(t), Vector3d::UnitZ()));
+    });
+  };
+  constexpr int kLines = 64;
+  std::vector<Scan> in_order, threaded(kLines);
+  for (int k = 0; k < kLines; ++k) in_order.push_back(line(k));
+  std::vector<std::thread> threads;
+  for (int t = 0; t < 3; ++t)
+    threads.emplace_back([&, t] {
+      for (int k = kLines - 1 - t; k >= 0; k -= 3) threaded[k] = line(k);
+    });
+  for (std::thread& thread : threads) thread.join();
+  for (int k = 0; k < kLines; ++k) EXPECT_TRUE(same_ranges(in_order[k], threaded[k])) << k;
+  EXPECT_NE(in_order[0].ranges_m, in_order[1].ranges_m);
 }
 
 TEST(Hokuyo, NoReturnIsInfAndTooNearIsMinusInf) {

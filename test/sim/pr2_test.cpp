@@ -33,6 +33,15 @@ TEST(Pr2, LaserHeightOfTheDescription) {
       << "the torso rests at its lower soft stop";
 }
 
+TEST(Pr2, LaserInMapIsTheProduct) {
+  for (const double yaw_rad : {-2.0, 0.0, 0.7})
+    for (const double tilt_rad : {-0.5, 0.0, 1.0}) {
+      const Pose T_map_base = planar_pose(1.0, -2.0, yaw_rad);
+      EXPECT_TRUE(pr2::T_map_laser(T_map_base, tilt_rad)
+                      .isApprox(T_map_base * chain(tilt_rad, 0.0115), 1e-12));
+    }
+}
+
 TEST(Pr2, PositiveTiltLooksDown) {
   EXPECT_LT(pr2::T_base_laser(0.5).linear().col(0).z(), 0.0);
   EXPECT_GT(pr2::T_base_laser(0.5).translation().x(), 0.04893) << "the lever turns with it";

@@ -51,6 +51,17 @@ TEST(Tour, SameSeedSameBytes) {
   EXPECT_GT(different, first.size() * 9 / 10) << "all but those without any return";
 }
 
+TEST(Tour, AnyLineIsTheOneThatComesInItsTurn) {
+  const World world = room_with_post();
+  const auto scans = scans_of(world, 1);
+  const Tour tour(world, kRoute, {});
+  for (const std::size_t line : {100, 7, 0, 150}) {
+    const Scan scan = tour.scan(line);
+    EXPECT_EQ(scan.stamp, scans[line].stamp);
+    EXPECT_TRUE(same_bytes(scan.ranges_m, scans[line].ranges_m));
+  }
+}
+
 TEST(Tour, LinesEndBeforeTheRouteDoes) {
   const World world = room_with_post();
   Tour tour(world, kRoute, {});

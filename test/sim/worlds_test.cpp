@@ -26,7 +26,7 @@ std::vector<TruthPlane> seen_planes(const fs::path& path) {
   EXPECT_TRUE(route.closed());
   Tour tour(world, route, {});
   TruthCollector truth(world);
-  while (const auto scan = tour.next_scan()) truth.add(*scan, tour);
+  while (const auto scan = tour.next_scan()) truth.add(*scan);
   return truth.planes();
 }
 
