@@ -67,7 +67,7 @@ LineLog drive(sim::Tour& tour, Modeler& modeler, sim::TruthCollector& truth,
     log.line_s.push_back(seconds_of([&] { result = modeler.add_scan_line(beams, poses); }));
     log.total_s += log.line_s.back();
     log.dropped += is_dropped(result) ? 1 : 0;
-    truth.add(*scan, tour);
+    truth.add(*scan);
     progress({log.line_s.size(), tour.line_count(), modeler.statistics().ribbons,
               to_seconds(beams.stamp), log.total_s});
   }

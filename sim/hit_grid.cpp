@@ -1,0 +1,27 @@
+// SPDX-FileCopyrightText: 2026 ribbon_mapper authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "sim/hit_grid.hpp"
+
+namespace ribbon_mapper::sim {
+
+void HitGrid::find(std::uint64_t key) {
+  const auto [tile, added] = tiles_.try_emplace(key);
+  if (added) tile->second.fill(-1);
+  last_key_ = key;
+  last_tile_ = &tile->second;
+}
+
+std::vector<HitCell> HitGrid::cells() const {
+  std::vector<HitCell> cells;
+  for (const auto& [key, tile] : tiles_) {
+    const auto tile_u = static_cast<std::int32_t>(static_cast<std::uint32_t>(key >> 32));
+    const auto tile_v = static_cast<std::int32_t>(static_cast<std::uint32_t>(key));
+    for (std::int32_t v = 0; v < kTileSide; ++v)
+      for (std::int32_t u = 0; u < kTileSide; ++u)
+        if (const int face = tile[(v << kTileBits) | u]; face >= 0)
+          cells.push_back({tile_u * kTileSide + u, tile_v * kTileSide + v, face});
+  }
+  return cells;
+}
+
+}  // namespace ribbon_mapper::sim
