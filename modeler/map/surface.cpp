@@ -34,6 +34,8 @@ Plane frame_of(const Hypothesis& hypothesis, const PlaneMapConfig& config) {
   plane.id = hypothesis.id;
   plane.cell_size_m = config.cell_size_m;
   plane.ribbon_count = hypothesis.members().size();
+  for (const Member& member : hypothesis.members()) plane.ribbons.push_back(member.ribbon);
+  std::sort(plane.ribbons.begin(), plane.ribbons.end());
   plane.normal = hypothesis.normal();
   plane.d_m = hypothesis.d_m();
   plane.origin = -plane.d_m * plane.normal;
