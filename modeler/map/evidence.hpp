@@ -29,6 +29,9 @@ class Evidence {
     return {ribbon, T_world_base(ribbon.pose)};
   }
 
+  std::size_t ribbons() const { return ribbons_->size(); }
+  const Ribbon& source(std::size_t index) const { return (*ribbons_)[index]; }
+
   std::size_t stray_lines() const { return strays_->size(); }
   const StrayPoints& strays(std::size_t line) const { return (*strays_)[line]; }
 

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 
 #include "modeler/map/footprint.hpp"
 #include "modeler/map/voxel_index.hpp"
@@ -100,6 +101,40 @@ class StrayTaker {
   std::vector<std::uint32_t> near_;  // surfaces near it
 };
 
+/// Which ribbons belong to a surface.
+std::vector<bool> owned_ribbons(const Evidence& evidence, const std::vector<Surface>& surfaces) {
+  std::vector<bool> owned(evidence.ribbons(), false);
+  for (const Surface& surface : surfaces) {
+    for (const std::uint32_t ribbon : surface.plane().ribbons) owned[ribbon] = true;
+  }
+  return owned;
+}
+
+/// A ribbon whose normal was spoilt, by an edge or a short base line, has joined no plane; most of
+/// its points may lie on one all the same.
+void take_lost_ribbons(const Evidence& evidence, StrayTaker& taker,
+                       std::vector<Surface>& surfaces) {
+  const std::vector<bool> owned = owned_ribbons(evidence, surfaces);
+  std::map<Surface*, std::uint32_t> points;
+  for (std::uint32_t index = 0; index < owned.size(); ++index) {
+    if (owned[index]) continue;
+    const Ribbon& ribbon = evidence.source(index);
+    const Pose T_world_base = evidence.T_world_base(ribbon.pose);
+    const Eigen::Vector3d sensor =
+        T_world_base * evidence.strays(ribbon.pose).sensor.cast<double>();
+    std::uint32_t all = 0;
+    points.clear();
+    for (const RibbonSample& sample : ribbon.samples) {
+      const Eigen::Vector3d point = T_world_base * sample.point.cast<double>();
+      all += sample.count;
+      if (Surface* surface = taker.surface_of(point, sensor)) points[surface] += sample.count;
+    }
+    for (const auto& [surface, count] : points) {
+      if (2 * count > all) surface->take(index, ribbon, T_world_base);
+    }
+  }
+}
+
 }  // namespace
 
 Surface::Surface(const Hypothesis& hypothesis, const Evidence& evidence,
@@ -109,7 +144,15 @@ Surface::Surface(const Hypothesis& hypothesis, const Evidence& evidence,
   refresh();
 }
 
+void Surface::take(std::uint32_t index, const Ribbon& ribbon, const Pose& T_world_base) {
+  for (const RibbonSample& sample : ribbon.samples) {
+    grid_.add(T_world_base * sample.point.cast<double>(), sample.count);
+  }
+  plane_.ribbons.push_back(index);
+}
+
 void Surface::refresh() {
+  std::sort(plane_.ribbons.begin(), plane_.ribbons.end());
   plane_.cells = grid_.cells();
   plane_.area_m2 = plane_.cells.size() * plane_.cell_size_m * plane_.cell_size_m;
   plane_.centroid.setZero();
@@ -129,6 +172,7 @@ void take_strays(const Evidence& evidence, const PlaneMapConfig& config,
       if (Surface* surface = taker.surface_of(point, sensor)) surface->add(point, sample.count);
     }
   }
+  take_lost_ribbons(evidence, taker, surfaces);
   for (Surface& surface : surfaces) surface.refresh();
 }
 

@@ -22,6 +22,8 @@ class Surface {
 
   /// Cells that points of no ribbon have seen; refresh() makes them part of the plane.
   void add(const Eigen::Vector3d& point, std::uint32_t count) { grid_.add(point, count); }
+  /// The same of a ribbon that has joined no hypothesis.
+  void take(std::uint32_t index, const Ribbon& ribbon, const Pose& T_world_base);
   void refresh();
 
  private:
