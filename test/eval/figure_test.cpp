@@ -20,7 +20,7 @@ TEST(Figure, IsDrawnFromTheFilesOfARun) {
   Results results = sample_results();
   evaluate(results);
   write_results(results, directory.path());
-  ASSERT_TRUE(draw_figure(directory.path()));
+  ASSERT_TRUE(draw_figure(Figure::before_after, directory.path()));
   EXPECT_EQ(content_of(directory.path() / "before_after.png").substr(1, 3), "PNG");
   const std::string svg = content_of(directory.path() / "before_after.svg");
   for (const char* text :
@@ -28,20 +28,20 @@ TEST(Figure, IsDrawnFromTheFilesOfARun) {
         "After the correction: 1 plane", "truth: 1", "1 of 1 true plane found", "</svg>"}) {
     EXPECT_TRUE(has(svg, text)) << text;
   }
-  ASSERT_TRUE(draw_figure(directory.path()));
+  ASSERT_TRUE(draw_figure(Figure::before_after, directory.path()));
   EXPECT_TRUE(content_of(directory.path() / "before_after.svg") == svg) << "other bytes";
 }
 
 TEST(Figure, EmptyModelsCanBeDrawn) {
   const TemporaryDirectory directory;
   write_results(Results(), directory.path());
-  EXPECT_TRUE(draw_figure(directory.path()));
+  EXPECT_TRUE(draw_figure(Figure::before_after, directory.path()));
 }
 
 TEST(Figure, WithoutTheFilesAWarningSaysWhatToDo) {
   const TemporaryDirectory directory;
   testing::internal::CaptureStderr();
-  EXPECT_FALSE(draw_figure(directory.path()));
+  EXPECT_FALSE(draw_figure(Figure::before_after, directory.path()));
   const std::string warning = testing::internal::GetCapturedStderr();
   EXPECT_THAT(warning, HasSubstr("python3-matplotlib"));
   EXPECT_THAT(warning, HasSubstr("before_after.py"));

@@ -1,0 +1,18 @@
+// SPDX-FileCopyrightText: 2026 ribbon_mapper authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "eval/evops.hpp"
+#include "eval/segcomp.hpp"
+
+namespace ribbon_mapper::eval {
+
+/// How a model of planes parts the points of a tour, against the faces that its beams hit.
+struct PointMetrics {
+  SegComp segcomp;  ///< on the points of ribbons
+  Evops evops;      ///< likewise
+  /// On all returns: a plane lacks those that no ribbon took.
+  SegComp segcomp_all;
+};
+
+}  // namespace ribbon_mapper::eval
