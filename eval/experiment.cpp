@@ -98,7 +98,7 @@ PointMetrics point_metrics(const PointTruth& truth, const Modeler& modeler,
                            const std::vector<Plane>& planes) {
   const Overlaps of_ribbons = truth.overlaps(modeler, planes, PointTruth::Points::of_ribbons);
   const Overlaps all = truth.overlaps(modeler, planes, PointTruth::Points::all);
-  return {segcomp(of_ribbons), evops(of_ribbons), segcomp(all)};
+  return {segcomp(of_ribbons), evops(of_ribbons), duplication(of_ribbons), segcomp(all)};
 }
 
 Summary summary_of(const LineLog& log, const sim::Tour& tour, const Modeler& modeler) {

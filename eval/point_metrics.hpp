@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "eval/duplication.hpp"
 #include "eval/evops.hpp"
 #include "eval/segcomp.hpp"
 
@@ -11,6 +12,7 @@ namespace ribbon_mapper::eval {
 struct PointMetrics {
   SegComp segcomp;  ///< on the points of ribbons
   Evops evops;      ///< likewise
+  Duplication duplication;  ///< likewise
   /// On all returns: a plane lacks those that no ribbon took.
   SegComp segcomp_all;
 };

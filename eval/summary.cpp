@@ -58,6 +58,8 @@ Json cell_to_json(const MapMetrics& planes, const PointMetrics* points) {
   Json json = to_json(planes);
   json["segcomp"] = points ? to_json(points->segcomp) : Json(nullptr);
   json["evops"] = points ? to_json(points->evops) : Json(nullptr);
+  json["point_duplicates"] = points ? Json(points->duplication.duplicates) : Json(nullptr);
+  json["point_duplication_ratio"] = points ? to_json(points->duplication.ratio) : Json(nullptr);
   json["segcomp_all"] = points ? to_json(points->segcomp_all) : Json(nullptr);
   return json;
 }
@@ -92,9 +94,9 @@ std::string table_row(const char* name, const MapMetrics& m) {
 
 std::string table_row(const char* name, const PointMetrics& m) {
   const SegComp& s = m.segcomp;
-  return format("%-32s %6zu %8zu %7zu %6zu %11zu %6.3f %9.1f %10.3f %11.3f\n", name, s.correct,
+  return format("%-32s %6zu %8zu %7zu %6zu %11zu %6.3f %9.1f %10.1f %11zu\n", name, s.correct,
                 s.over, s.under, s.missed.size(), s.noise.size(), m.evops.f1,
-                100.0 * s.correct_points_share, m.evops.precision, m.evops.recall);
+                100.0 * s.correct_points_share, 100.0 * s.correct_share, m.duplication.duplicates);
 }
 
 template <typename Metrics>
@@ -107,7 +109,8 @@ std::string table_rows(const PerCell<Metrics>& cells) {
 
 std::string points_table(const PerCell<PointMetrics>& points) {
   return format("\n%-32s %6s %8s %7s %6s %11s %6s %9s %10s %11s\n", "by points (SegComp, EVOPS)",
-                "right", "over", "under", "missed", "noise", "f1", "right %", "precision", "recall") +
+                "right", "over", "under", "missed", "noise", "f1", "points %", "planes %",
+                "duplicates") +
          table_rows(points);
 }
 

@@ -4,6 +4,7 @@
 
 #include <gmock/gmock.h>
 
+#include "eval/spread.hpp"
 #include "test/eval/sample_results.hpp"
 #include "test/io/temporary_directory.hpp"
 
@@ -30,6 +31,25 @@ TEST(Figure, IsDrawnFromTheFilesOfARun) {
   }
   ASSERT_TRUE(draw_figure(Figure::before_after, directory.path()));
   EXPECT_TRUE(content_of(directory.path() / "before_after.svg") == svg) << "other bytes";
+}
+
+TEST(Figure, DoseAndResponseIsDrawnFromTheSummaryOfASweep) {
+  const TemporaryDirectory directory;
+  std::vector<Record> records;
+  for (const double drift : {0.0, 2.0}) {
+    Results results = sample_results();
+    evaluate(results);
+    results.summary.run.drift = drift;
+    results.summary.points.emplace();
+    records.push_back(record_of(run_line(results.summary, "")));
+  }
+  write_content(directory.path() / "summary.json", sweep_summary_to_json(records, ""));
+  ASSERT_TRUE(draw_figure(Figure::dose_response, directory.path()));
+  EXPECT_EQ(content_of(directory.path() / "dose_response.png").substr(1, 3), "PNG");
+  const std::string svg = content_of(directory.path() / "dose_response.svg");
+  for (const char* text : {"1 seeds per drift", "Number of planes", "0.5 m", "truth", "</svg>"}) {
+    EXPECT_TRUE(has(svg, text)) << text;
+  }
 }
 
 TEST(Figure, EmptyModelsCanBeDrawn) {

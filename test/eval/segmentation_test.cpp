@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <random>
 
+#include "eval/duplication.hpp"
 #include "eval/evops.hpp"
 #include "eval/segcomp.hpp"
 #include "test/eval/slow_segmentation.hpp"
@@ -130,6 +131,17 @@ TEST(Evops, ManyPartsAreMissedAndNoise) {
   EXPECT_EQ(e.missed, 1.0);
   EXPECT_EQ(e.noise, 1.0);
   EXPECT_EQ(segcomp(overlaps_of(1, 6, blocks)).over, 1U);
+}
+
+TEST(Duplication, CountsTheCopiesOfATruePlane) {
+  const Duplication none = duplication(overlaps_of(2, 2, {{0, 0, 10}, {1, 1, 10}}));
+  EXPECT_EQ(none.duplicates, 0U);
+  EXPECT_EQ(none.ratio, 1.0);
+  const Duplication doubled = duplication(
+      overlaps_of(3, 5, {{0, 0, 10}, {0, 1, 6}, {1, 1, 5}, {0, 2, 3}, {1, 3, 4}, {-1, 4, 9}}));
+  EXPECT_EQ(doubled.duplicates, 2U) << "0, 1 and 2 are the first plane's, 3 the second's";
+  EXPECT_EQ(doubled.ratio, 2.0);
+  EXPECT_FALSE(duplication(overlaps_of(1, 1, {{0, 0, 5}, {-1, 0, 5}})).ratio) << "half is not most";
 }
 
 /// Labels of few points, mostly alike, so that all classes come up and compete.

@@ -102,8 +102,8 @@ PointMetrics points_with(std::size_t correct) {
   p.segcomp.missed = {1, 2, 3};
   p.segcomp.noise = {1};
   p.segcomp.correct_points_share = 0.5;
-  p.evops.precision = 0.625;
-  p.evops.recall = 0.75;
+  p.segcomp.correct_share = 0.75;
+  p.duplication.duplicates = 13;
   p.evops.f1 = 0.682;
   p.segcomp_all.correct = 2 * correct;
   return p;
@@ -124,6 +124,7 @@ TEST(SummaryJson, HoldsThePointsOfTheFourCells) {
   EXPECT_EQ(result.at("segcomp").at("under"), 12);
   EXPECT_EQ(result.at("segcomp").at("missed"), 3);
   EXPECT_EQ(result.at("segcomp").at("noise"), 1);
+  EXPECT_EQ(result.at("point_duplicates"), 13);
   EXPECT_EQ(result.at("segcomp_all").at("correct"), 8);
   EXPECT_EQ(result.at("evops").at("f1"), 0.682);
 }
@@ -182,7 +183,7 @@ TEST(SummaryTable, PointsHaveATableOfTheirOwn) {
   const std::string points = table.substr(table.find("by points"));
   EXPECT_THAT(words_of(row_of(points, "noisy, as built"))[0], "1");
   EXPECT_THAT(words_of(row_of(points, "corrected, merged and filtered")),
-              testing::ElementsAre("4", "11", "12", "3", "1", "0.682", "50.0", "0.625", "0.750"));
+              testing::ElementsAre("4", "11", "12", "3", "1", "0.682", "50.0", "75.0", "13"));
 }
 
 TEST(SummaryTable, ColumnsStandUnderTheirHeads) {
