@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 
 #include "modeler/map/footprint.hpp"
 #include "modeler/map/voxel_index.hpp"
@@ -34,6 +35,8 @@ Plane frame_of(const Hypothesis& hypothesis, const PlaneMapConfig& config) {
   plane.id = hypothesis.id;
   plane.cell_size_m = config.cell_size_m;
   plane.ribbon_count = hypothesis.members().size();
+  for (const Member& member : hypothesis.members()) plane.ribbons.push_back(member.ribbon);
+  std::sort(plane.ribbons.begin(), plane.ribbons.end());
   plane.normal = hypothesis.normal();
   plane.d_m = hypothesis.d_m();
   plane.origin = -plane.d_m * plane.normal;
@@ -75,25 +78,37 @@ class StrayTaker {
 
   void give(const StrayPoints& strays, const Pose& T_world_base) {
     const Eigen::Vector3d sensor = T_world_base * strays.sensor.cast<double>();
-    give(strays.samples, T_world_base, [&](const Plane& plane) {
+    const auto faces = [&](const Plane& plane) {
       return plane.normal.dot(sensor) + plane.d_m > 0.0;
-    });
+    };
+    for (const RibbonSample& sample : strays.samples) give(sample, T_world_base, faces);
   }
 
-  void give(const PosedRibbon& ribbon) {
-    give(ribbon.ribbon->samples, ribbon.T_world_base, [&](const Plane& plane) {
+  /// The surface that most of the points were given to owns the ribbon.
+  void give(const PosedRibbon& ribbon, std::uint32_t index) {
+    const auto faces = [&](const Plane& plane) {
       return plane.normal.dot(ribbon.normal) > least_cosine_of_side;
-    });
+    };
+    std::uint32_t all = 0;
+    given_.clear();
+    for (const RibbonSample& sample : ribbon.ribbon->samples) {
+      all += sample.count;
+      if (Surface* surface = give(sample, ribbon.T_world_base, faces)) {
+        given_[surface] += sample.count;
+      }
+    }
+    for (const auto& [surface, count] : given_) {
+      if (2 * count > all) surface->own(index);
+    }
   }
 
  private:
   template <typename Faces>
-  void give(const std::vector<RibbonSample>& samples, const Pose& T_world_base,
-            const Faces& faces) {
-    for (const RibbonSample& sample : samples) {
-      const Eigen::Vector3d point = T_world_base * sample.point.cast<double>();
-      if (Surface* surface = surface_of(point, faces)) surface->add(point, sample.count);
-    }
+  Surface* give(const RibbonSample& sample, const Pose& T_world_base, const Faces& faces) {
+    const Eigen::Vector3d point = T_world_base * sample.point.cast<double>();
+    Surface* surface = surface_of(point, faces);
+    if (surface) surface->add(point, sample.count);
+    return surface;
   }
 
   /// The nearest of those that face the way that the point was seen from; none if all are too far.
@@ -119,15 +134,16 @@ class StrayTaker {
   std::vector<Footprint> footprints_;
   std::vector<VoxelKey> keys_;      // of the last point
   std::vector<std::uint32_t> near_;  // surfaces near it
+  std::map<Surface*, std::uint32_t> given_;  // points of one ribbon
 };
 
-/// Of each ribbon, whether it is a part of a surface.
-std::vector<char> placed_ribbons(const std::vector<Surface>& surfaces, std::size_t count) {
-  std::vector<char> placed(count, 0);
+/// Of each ribbon, whether it belongs to a surface.
+std::vector<bool> owned_ribbons(const std::vector<Surface>& surfaces, std::size_t count) {
+  std::vector<bool> owned(count, false);
   for (const Surface& surface : surfaces) {
-    for (const std::uint32_t ribbon : surface.ribbons()) placed[ribbon] = 1;
+    for (const std::uint32_t ribbon : surface.plane().ribbons) owned[ribbon] = true;
   }
-  return placed;
+  return owned;
 }
 
 }  // namespace
@@ -135,14 +151,12 @@ std::vector<char> placed_ribbons(const std::vector<Surface>& surfaces, std::size
 Surface::Surface(const Hypothesis& hypothesis, const Evidence& evidence,
                  const PlaneMapConfig& config)
     : plane_(frame_of(hypothesis, config)), grid_(plane_) {
-  for (const Member& member : hypothesis.members()) {
-    grid_.add(evidence.ribbon(member.ribbon));
-    ribbons_.push_back(member.ribbon);
-  }
+  for (const Member& member : hypothesis.members()) grid_.add(evidence.ribbon(member.ribbon));
   refresh();
 }
 
 void Surface::refresh() {
+  std::sort(plane_.ribbons.begin(), plane_.ribbons.end());
   plane_.cells = grid_.cells();
   plane_.area_m2 = plane_.cells.size() * plane_.cell_size_m * plane_.cell_size_m;
   plane_.centroid.setZero();
@@ -157,9 +171,9 @@ void take_strays(const Evidence& evidence, const PlaneMapConfig& config,
     const StrayPoints& strays = evidence.strays(line);
     taker.give(strays, evidence.T_world_base(strays.pose));
   }
-  const std::vector<char> placed = placed_ribbons(surfaces, evidence.ribbon_count());
-  for (std::size_t i = 0; i < placed.size(); ++i) {
-    if (!placed[i]) taker.give(evidence.ribbon(i));
+  const std::vector<bool> owned = owned_ribbons(surfaces, evidence.ribbon_count());
+  for (std::uint32_t i = 0; i < owned.size(); ++i) {
+    if (!owned[i]) taker.give(evidence.ribbon(i), i);
   }
   for (Surface& surface : surfaces) surface.refresh();
 }
