@@ -32,12 +32,12 @@ int run(std::string program, std::string script, std::string argument) {
 
 }  // namespace
 
-bool draw_figure(const std::filesystem::path& directory) {
-  const auto script = share_directory() / "eval" / "figures" / "before_after.py";
+bool draw_figure(const std::filesystem::path& directory, const std::string& name) {
+  const auto script = share_directory() / "eval" / "figures" / name;
   if (run(RIBBON_MAPPER_PYTHON, script.string(), directory.string()) == 0) return true;
   std::fprintf(stderr,
-               "warning: before_after.svg and .png were not drawn (see above; is "
-               "python3-matplotlib installed?); %s %s %s draws them from the files\n",
+               "warning: the figure was not drawn (see above; is python3-matplotlib installed?); "
+               "%s %s %s draws it from the files\n",
                RIBBON_MAPPER_PYTHON, script.c_str(), directory.c_str());
   return false;
 }

@@ -3,12 +3,14 @@
 #pragma once
 
 #include <filesystem>
+#include <string>
 
 namespace ribbon_mapper::eval {
 
-/// Draws before_after.svg and before_after.png from the files that write_results() has left in
-/// `directory`, with matplotlib in a process of its own. False, and a warning on stderr, if that
-/// cannot be done.
-bool draw_figure(const std::filesystem::path& directory);
+/// Has a script of eval/figures draw from the files in `directory`, with matplotlib in a process of
+/// its own: before_after.py from those of write_results(), model_views.py from those of
+/// offline_modeler. False, and a warning on stderr, if that cannot be done.
+bool draw_figure(const std::filesystem::path& directory,
+                 const std::string& script = "before_after.py");
 
 }  // namespace ribbon_mapper::eval
