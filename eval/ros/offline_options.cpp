@@ -4,8 +4,7 @@
 
 #include <CLI/CLI.hpp>
 
-#include "modeler/ros/message_conversions.hpp"
-#include "modeler/ros/transform_entry.hpp"
+#include "modeler/bag/bag_check_options.hpp"
 
 namespace ribbon_mapper::eval {
 namespace {
@@ -35,30 +34,14 @@ std::variant<OfflineOptions, int> parse_offline_options(int argc, const char* co
   app.add_flag("--poses-are-final", options.poses_are_final,
                "the recorded poses are as good as corrected ones; known when the base stands still")
       ->excludes("--trajectory");
-  app.add_option("--scan", options.bag.scan_topic,
-                 "topic of the tilting laser [the only one, or tilt_scan]");
-  Frames& frames = options.bag.intake.frames;
-  app.add_option("--map-frame", frames.map)->capture_default_str();
-  app.add_option("--odom-frame", frames.odom)->capture_default_str();
-  app.add_option("--base-frame", frames.base)->capture_default_str();
-  app.add_option("--scan-time-offset", options.bag.intake.scan_time_offset_s,
-                 "added to the stamps of scans [s]")
-      ->check(CLI::Range(-1.0, 1.0))
-      ->capture_default_str();
-  app.add_option("--transform-timeout", options.bag.intake.transform_timeout_s,
-                 "how much later in the bag than its scan a transform may come [s]")
-      ->check(CLI::Range(0.0, 3600.0))
-      ->capture_default_str();
-  app.add_option("--tf-drop-frames", tf_drop_frames,
-                 "leave out transforms whose parent is one of these, such as \"map odom_combined\"");
+  add_bag_options(app, options.bag, tf_drop_frames);
   app.add_flag("--figure", options.with_figure, "draw model_views.png from above and from the side");
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {
     return app.exit(error) == 0 ? 0 : 2;
   }
-  for (std::string* frame : {&frames.map, &frames.odom, &frames.base}) *frame = without_slash(*frame);
-  options.bag.tf_drop_frames = frames_from(tf_drop_frames);
+  finish_bag_options(options.bag, tf_drop_frames);
   return options;
 }
 
