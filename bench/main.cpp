@@ -24,7 +24,8 @@ struct Section {
   void (*measure)(const Inputs&, Report&);
 };
 constexpr Section kSections[] = {
-    {"normals", measure_normals}, {"lines", measure_lines}};
+    {"normals", measure_normals},        {"lines", measure_lines},   {"planes", measure_planes},
+    {"corrections", measure_corrections}, {"memory", measure_memory}, {"rays", measure_rays}};
 
 /// One core for all that follows, so that no thread moves and none is added.
 void pin_to_one_core() {
