@@ -25,7 +25,8 @@ struct Section {
 };
 constexpr Section kSections[] = {
     {"normals", measure_normals},        {"lines", measure_lines},   {"planes", measure_planes},
-    {"corrections", measure_corrections}, {"memory", measure_memory}, {"rays", measure_rays}};
+    {"corrections", measure_corrections}, {"memory", measure_memory}, {"rays", measure_rays},
+    {"growth", measure_growth}};
 
 /// One core for all that follows, so that no thread moves and none is added.
 void pin_to_one_core() {
