@@ -22,10 +22,17 @@ demo: build ## the whole chain in a simulated flat, results in results/loop_clos
 	source build/devel/setup.bash && roslaunch ribbon_mapper loop_closure.launch \
 	  output:=$(CURDIR)/results/loop_closure $(ARGS)
 
+bench: ## speed and memory beside the packaged peers, results in results/bench
+	./install_dependencies bench
+	cmake -S . -B build -DRIBBON_MAPPER_BENCH=ON \
+	  -DPYTHON_EXECUTABLE=/usr/bin/python3 -DPython3_EXECUTABLE=/usr/bin/python3
+	cmake --build build --target bench -j $(JOBS)
+	build/devel/lib/ribbon_mapper/bench --output results/bench $(ARGS)
+
 clean: ## forget everything that was built
 	rm -rf build
 
 help: ## this list
 	@grep -E '^[a-z]+:.*##' Makefile | sed 's/:.*##/\t/'
 
-.PHONY: build test demo clean help
+.PHONY: build test demo bench clean help
