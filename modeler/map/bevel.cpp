@@ -17,7 +17,7 @@ class Ground {
       : plane_(&plane),
         on_plane_m_(config.on_plane_m),
         beside_(plane, config.beside_plane_m),
-        beyond_gap_(plane, config.bridged_gap_m) {}
+        beyond_gap_(plane, 0.5 * config.bridged_gap_m) {}
 
   /// True for a cell of `other` that lies on this plane, as measured.
   bool explains(const Plane& other, const PlaneCell& cell) const {

@@ -151,7 +151,7 @@ TEST(RibbonExtraction, LinesThatStraddleAnEdgeMakeNoBevel) {
 
 /// Mixed pixels at a horizontal edge: each line sees the wall further away.
 LineBuffer veil() {
-  LineBuffer buffer;
+  LineBuffer buffer(0.0);
   for (int k = 0; k < 3; ++k) {
     const double depth_m = 2.0 + 0.5 * k, tilt_rad = std::atan2(0.02 * k, depth_m);
     const World wall{plane(-Eigen::Vector3d::UnitX(), depth_m)};
@@ -159,6 +159,7 @@ LineBuffer veil() {
     place_beams(line.beams, line.poses, precise(), buffer.incoming());
     buffer.push();
   }
+  buffer.advance();
   return buffer;
 }
 

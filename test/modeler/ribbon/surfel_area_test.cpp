@@ -15,7 +15,7 @@ using namespace mini_world;
 /// Three lines at these tilts, all ranges equal.
 LineBuffer lines_at(const std::array<double, 3>& tilts_rad, double range_m = 5.0,
                     std::size_t count = 721) {
-  LineBuffer buffer;
+  LineBuffer buffer(0.0);
   LaserBeams beams;
   beams.angle_min_rad = -M_PI_2;
   beams.angle_increment_rad = M_PI / (count - 1.0);
@@ -27,6 +27,7 @@ LineBuffer lines_at(const std::array<double, 3>& tilts_rad, double range_m = 5.0
                 buffer.incoming());
     buffer.push();
   }
+  buffer.advance();
   return buffer;
 }
 

@@ -17,11 +17,12 @@ inline Motion tilting(double tilt_speed_rad_s, double tilt_rad = 0.0,
 /// A full buffer of three lines whose middle one begins at `middle_s`.
 inline LineBuffer three_lines(const World& world, const Motion& motion, double middle_s = 0.0,
                               const Laser& laser = {}, const ScanConfig& config = {}) {
-  LineBuffer buffer;
+  LineBuffer buffer(0.0);
   for (const Line& line : drive(world, motion, middle_s - 0.025, middle_s + 0.026, laser)) {
     place_beams(line.beams, line.poses, config, buffer.incoming());
     buffer.push();
   }
+  buffer.advance();
   return buffer;
 }
 

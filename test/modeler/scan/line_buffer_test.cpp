@@ -24,45 +24,64 @@ ScanLine line_at(const Pose& T_odom_base, double tilt_rad, double range_m = 4.0,
   return line;
 }
 
+constexpr double kTiltStep_rad = 0.01;  // 40 mm at 4 m
+
 void push(LineBuffer& buffer, int second, std::size_t count = 181) {
-  buffer.incoming() = line_at(Pose::Identity(), 0.0, 4.0, count);
+  buffer.incoming() = line_at(Pose::Identity(), kTiltStep_rad * second, 4.0, count);
   buffer.incoming().stamp = from_seconds(second);
   buffer.push();
 }
 
-TEST(LineBuffer, HoldsTheLastThreeInOrder) {
-  LineBuffer buffer;
+double seconds_of(const ScanLine& line) { return to_seconds(line.stamp); }
+
+TEST(LineBuffer, GivesEachLineTheOnesNextToIt) {
+  LineBuffer buffer(0.0);
   EXPECT_EQ(nullptr, buffer.newest_line());
-  for (int second = 1; second <= 9; ++second) {
-    EXPECT_EQ(second > 3, buffer.is_full());
+  for (int second = 1; second <= 60; ++second) {
     push(buffer, second);
-    EXPECT_EQ(from_seconds(second), buffer.newest_line()->stamp);
+    EXPECT_EQ(second, seconds_of(*buffer.newest_line()));
+    ASSERT_EQ(second >= 3, buffer.advance());
     if (second < 3) continue;
-    EXPECT_EQ(from_seconds(second - 2), buffer.previous().stamp);
-    EXPECT_EQ(from_seconds(second - 1), buffer.middle().stamp);
-    EXPECT_EQ(from_seconds(second), buffer.next().stamp);
+    EXPECT_EQ(second - 2, seconds_of(buffer.previous()));
+    EXPECT_EQ(second - 1, seconds_of(buffer.middle()));
+    EXPECT_EQ(second, seconds_of(buffer.next()));
+    EXPECT_FALSE(buffer.advance()) << "each line is the middle once";
+  }
+}
+
+TEST(LineBuffer, GoesFurtherWhereLinesAreDense) {
+  const double step_m = base_line_m(line_at(Pose::Identity(), 0.0), line_at(Pose::Identity(), kTiltStep_rad));
+  LineBuffer buffer(2.5 * step_m);
+  for (int second = 1; second <= 60; ++second) {
+    push(buffer, second);
+    ASSERT_EQ(second >= 7, buffer.advance());
+    if (second < 7) continue;
+    EXPECT_EQ(second - 6, seconds_of(buffer.previous()));
+    EXPECT_EQ(second - 3, seconds_of(buffer.middle()));
+    EXPECT_EQ(second, seconds_of(buffer.next()));
   }
 }
 
 TEST(LineBuffer, ALineThatIsNotPushedLeavesNoTrace) {
-  LineBuffer buffer;
+  LineBuffer buffer(0.0);
   for (int second = 1; second <= 3; ++second) push(buffer, second);
+  ASSERT_TRUE(buffer.advance());
   buffer.incoming() = line_at(Pose::Identity(), 0.3, 9.0, 50);
-  EXPECT_EQ(from_seconds(1), buffer.previous().stamp);
-  EXPECT_EQ(from_seconds(3), buffer.next().stamp);
+  EXPECT_EQ(1, seconds_of(buffer.previous()));
+  EXPECT_EQ(3, seconds_of(buffer.next()));
 }
 
 TEST(LineBuffer, StartsAfreshWithLinesOfAnotherLength) {
-  LineBuffer buffer;
+  LineBuffer buffer(0.0);
   for (int second = 1; second <= 3; ++second) push(buffer, second);
   push(buffer, 4, 91);
-  EXPECT_FALSE(buffer.is_full());
+  EXPECT_FALSE(buffer.advance());
   push(buffer, 5, 91);
-  EXPECT_FALSE(buffer.is_full());
+  EXPECT_FALSE(buffer.advance());
   push(buffer, 6, 91);
-  EXPECT_TRUE(buffer.is_full());
+  EXPECT_TRUE(buffer.advance());
   buffer.clear();
-  EXPECT_FALSE(buffer.is_full());
+  EXPECT_FALSE(buffer.advance());
   EXPECT_EQ(nullptr, buffer.newest_line());
 }
 
