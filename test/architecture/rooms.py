@@ -50,7 +50,8 @@ def wrong_includes(root):
 def _wrong_includes_of(path, name):
     folder = name.parent.as_posix()
     if folder not in ROOMS:
-        return [f"{name}: {folder} is no room, add it to the table in {pathlib.Path(__file__).name}"]
+        table = pathlib.Path(__file__).name
+        return [f"{name}: {folder} is no room, add it to the table in {table}"]
     room, messages = ROOMS[folder], []
     for bracket, target in re.findall(r'^\s*#\s*include\s*([<"])([^>"]+)', path.read_text(), re.M):
         if bracket == '"':

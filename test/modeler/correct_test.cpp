@@ -164,8 +164,9 @@ TEST(Correct, PartsWhatWasWronglyMerged) {
     EXPECT_EQ(1u, modeler.planes().size());
     EXPECT_EQ(1u, modeler.merged_planes().size());
     modeler.correct(true_trajectory(lines));
-    expect_one_for_each({plane(-Eigen::Vector3d::UnitX(), 3.0), plane(-Eigen::Vector3d::UnitX(), 3.2)},
-                        modeler.merged_planes(), 0.5, 0.01);
+    expect_one_for_each(
+        {plane(-Eigen::Vector3d::UnitX(), 3.0), plane(-Eigen::Vector3d::UnitX(), 3.2)},
+        modeler.merged_planes(), 0.5, 0.01);
     EXPECT_EQ(2u, modeler.planes().size());
     modeler.correct(recorded);
     EXPECT_EQ(1u, modeler.merged_planes().size());

@@ -54,8 +54,8 @@ TEST(Modeler, PointsOfNoRibbonAreWhereTheRobotSawThem) {
   };
   const World world{board(-0.6, 0.6), board(0.66, 0.75), board(-0.75, -0.66)};
   const auto drive_up = [](double time_s) { return planar_pose(0.2 * time_s, 0.0, 0.0); };
-  const auto planes = model_of(drive(world, {drive_up, to_and_fro, no_drift}, 0.0, 6.0))
-                          .merged_planes();
+  const auto planes =
+      model_of(drive(world, {drive_up, to_and_fro, no_drift}, 0.0, 6.0)).merged_planes();
   ASSERT_EQ(1u, planes.size());
   std::size_t on_strips = 0;
   for (const PlaneCell& cell : planes[0].cells) {
@@ -89,13 +89,11 @@ TEST(Modeler, SaysWhatBecameOfEachLine) {
   EXPECT_EQ(LineResult::modelled, result_of(lines[10], [](Line&) {}));
   EXPECT_EQ(LineResult::out_of_order, result_of(lines[10], [](Line&) {}));
   EXPECT_EQ(LineResult::out_of_order, result_of(lines[9], [](Line&) {}));
-  EXPECT_EQ(LineResult::too_close, result_of(lines[10], [](Line& line) {
-              line.beams.stamp += from_seconds(0.001);
-            }));
+  EXPECT_EQ(LineResult::too_close,
+            result_of(lines[10], [](Line& line) { line.beams.stamp += from_seconds(0.001); }));
   for (const float nothing : {nan_, inf, -inf, -1.0F, 0.0F, 1e9F}) {
-    EXPECT_EQ(LineResult::no_returns, result_of(lines[11], [=](Line& line) {
-                line.beams.ranges_m.assign(361, nothing);
-              }));
+    EXPECT_EQ(LineResult::no_returns,
+              result_of(lines[11], [=](Line& line) { line.beams.ranges_m.assign(361, nothing); }));
   }
   EXPECT_EQ(LineResult::no_returns,
             result_of(lines[11], [](Line& line) { line.beams.ranges_m.clear(); }));

@@ -128,7 +128,8 @@ TEST(ConnectedComponents, AreThoseOfFlooding) {
   std::uniform_int_distribution<int> place(-40, 40);
   for (const int gap : {1, 2, 3, 5, 6, 20}) {
     std::vector<PlaneCell> cells;
-    for (int i = 0; i < 3000 / (gap * gap) + 20; ++i) cells.push_back({place(random), place(random), 1, 0, 0});
+    for (int i = 0; i < 3000 / (gap * gap) + 20; ++i)
+      cells.push_back({place(random), place(random), 1, 0, 0});
     const auto fast = connected_components(cells, 0.05, gap * 0.05);
     const auto slow = flooded(cells, gap);
     std::map<int, int> pairs;

@@ -50,8 +50,8 @@ TEST(Outline, OfAnLHasSixCorners) {
 
 TEST(Outline, KeepsNotchesThatAreDeeperThanACell) {
   for (const int depth : {1, 3}) {
-    const Plane plane = level_plane(0.0, rectangle(60, 40) + rectangle(20, depth, 0, 40) +
-                                             rectangle(20, depth, 40, 40));
+    const Plane plane = level_plane(
+        0.0, rectangle(60, 40) + rectangle(20, depth, 0, 40) + rectangle(20, depth, 40, 40));
     EXPECT_EQ(depth == 1 ? 4u : 8u, outline_of(plane, 0.1).size());
   }
 }

@@ -91,8 +91,9 @@ Scene upright(std::optional<double> radius_m) {
     Ribbon ribbon = ribbon_between({2.0, 0.17, 0.04 * i}, {2.0, -0.17, 0.04 * i}, -x);
     ribbon.moments = {};
     for (RibbonSample& sample : ribbon.samples) {
-      if (radius_m) sample.point.x() = static_cast<float>(
-          2.0 + *radius_m - std::sqrt(*radius_m * *radius_m - std::pow(sample.point.y(), 2)));
+      if (radius_m)
+        sample.point.x() = static_cast<float>(
+            2.0 + *radius_m - std::sqrt(*radius_m * *radius_m - std::pow(sample.point.y(), 2)));
       ribbon.moments.add(sample.point.cast<double>());
     }
     ribbon.moments.spread(0.02 * z);

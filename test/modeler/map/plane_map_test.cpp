@@ -34,9 +34,8 @@ Scene scene_of(const std::vector<std::vector<Ribbon>>& patches) {
 Scene board_and_wall() {
   std::vector<Ribbon> ribbons = wall(2.1, 1.0, 2.0);
   const auto height = [](const Ribbon& r) { return std::abs(r.moments.mean().z() - 0.5); };
-  std::stable_sort(ribbons.begin(), ribbons.end(), [&](const Ribbon& a, const Ribbon& b) {
-    return height(a) < height(b);
-  });
+  std::stable_sort(ribbons.begin(), ribbons.end(),
+                   [&](const Ribbon& a, const Ribbon& b) { return height(a) < height(b); });
   return scene_of({patch({2.0, 0.5, 0.25}, -y, 0.5 * z), ribbons});
 }
 
@@ -54,8 +53,7 @@ TEST(PlaneMap, WallsOfACornerAreTwo) {
 }
 
 TEST(PlaneMap, SidesOfAThinWallAreTwo) {
-  const Scene scene =
-      scene_of({wall(2.0, 1.0, 2.0), patch({2.02, -1.0, 0.0}, 2.0 * y, z)});
+  const Scene scene = scene_of({wall(2.0, 1.0, 2.0), patch({2.02, -1.0, 0.0}, 2.0 * y, z)});
   const auto hypotheses = scene.map(slam).merged_hypotheses();
   ASSERT_EQ(2u, hypotheses.size());
   EXPECT_LT(hypotheses[0].normal().x(), -0.99);
