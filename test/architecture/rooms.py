@@ -5,8 +5,8 @@ import collections
 import pathlib
 import re
 
-# Of ours: folders (without those below them) or single files. Libraries: the first folder of an
-# #include <folder/file>. ANY: all libraries, ROS among them.
+# Of ours: folders (without those below them, or with them if they end in /) or single files.
+# Libraries: the first folder of an #include <folder/file>. ANY: all libraries, ROS among them.
 Room = collections.namedtuple("Room", "ours libraries")
 ANY = None
 
@@ -21,15 +21,16 @@ ROOMS = {
     "modeler": Room(_CORE, ["Eigen"]),
     "modeler/io": Room(_MODELER, ["Eigen", "nlohmann", "octomap", "sys", "yaml-cpp"]),
     "modeler/ros": Room(_MODELER + ["modeler/io"], ANY),
+    "modeler/bag": Room(_MODELER + ["modeler/io", "modeler/ros"], ANY),
     "sim": Room(["modeler/geometry/time.hpp", "modeler/geometry/pose.hpp"],
                 ["Eigen", "BulletCollision", "assimp", "sdf", "yaml-cpp"]),
-    # How messages and parameters are read is one thing for all nodes.
+    # How messages and parameters are read, and how files are written, is one thing for all nodes.
     "sim/ros": Room(["sim", "modeler/geometry/time.hpp", "modeler/geometry/pose.hpp",
-                     "modeler/ros/message_conversions.hpp", "modeler/ros/strict_parameters.hpp"],
-                    ANY),
+                     "modeler/ros/message_conversions.hpp", "modeler/ros/strict_parameters.hpp",
+                     "modeler/io/atomic_file.hpp", "modeler/io/tum.hpp"], ANY),
     "eval": Room(_MODELER + ["modeler/io", "sim"], ["Eigen", "CLI", "nlohmann", "sys"]),
-    "eval/ros": Room(_MODELER + ["modeler/io", "modeler/ros", "sim", "eval"], ANY),
-    "bench": Room(_MODELER + ["modeler/io", "sim", "eval"], ANY),
+    "eval/ros": Room(_MODELER + ["modeler/io", "modeler/ros", "modeler/bag", "sim", "eval"], ANY),
+    "bench/": Room(_MODELER + ["modeler/io", "sim", "eval", "bench/"], ANY),
 }
 
 MOST_LINES_OF_A_FILE = 300
@@ -47,15 +48,21 @@ def wrong_includes(root):
     return messages
 
 
+def _holds(room, folder):
+    return folder == room or (room.endswith("/") and f"{folder}/".startswith(room))
+
+
 def _wrong_includes_of(path, name):
     folder = name.parent.as_posix()
-    if folder not in ROOMS:
-        return [f"{name}: {folder} is no room, add it to the table in {pathlib.Path(__file__).name}"]
-    room, messages = ROOMS[folder], []
+    room = next((row for room, row in ROOMS.items() if _holds(room, folder)), None)
+    if room is None:
+        table = pathlib.Path(__file__).name
+        return [f"{name}: {folder} is no room, add it to the table in {table}"]
+    messages = []
     for bracket, target in re.findall(r'^\s*#\s*include\s*([<"])([^>"]+)', path.read_text(), re.M):
         if bracket == '"':
-            allowed = target in room.ours or str(pathlib.PurePosixPath(target).parent) in (
-                [folder] + room.ours)
+            source = str(pathlib.PurePosixPath(target).parent)
+            allowed = any(target == ours or _holds(ours, source) for ours in [folder] + room.ours)
         else:
             allowed = "/" not in target or room.libraries is ANY or (
                 target.split("/")[0] in room.libraries)

@@ -19,9 +19,8 @@ class Project(unittest.TestCase):
         self.assertEqual([], rooms.wrong_files(PROJECT))
 
     def test_there_is_something_to_check(self):
-        for room in rooms.ROOMS:
-            if room != "bench":
-                self.assertTrue(list((PROJECT / room).glob("*.hpp")), room)
+        for room in ["modeler", "modeler/geometry", "modeler/map", "modeler/ros", "sim", "eval"]:
+            self.assertTrue(list((PROJECT / room).glob("*.hpp")), room)
 
 
 class PlantedDefects(unittest.TestCase):
@@ -45,6 +44,7 @@ class PlantedDefects(unittest.TestCase):
                    '#include "modeler/geometry/pose.hpp"\n#include "modeler/scan/b.hpp"\n')
         self.plant("modeler/ros/a.cpp", '#include <ros/ros.h>\n#include "modeler/modeler.hpp"\n')
         self.plant("sim/a.cpp", '#include "modeler/geometry/time.hpp"\n')
+        self.plant("bench/a/b/c.cpp", '#include "bench/d/e.hpp"\n#include "eval/patch.hpp"\n')
         self.assertEqual([], rooms.wrong_includes(self.root))
         self.assertEqual([], rooms.wrong_files(self.root))
 
@@ -60,7 +60,9 @@ class PlantedDefects(unittest.TestCase):
                 ("sim/a.cpp", '"modeler/geometry/moments.hpp"'),
                 ("sim/a.cpp", '"modeler/scan/laser_beams.hpp"'),
                 ("sim/ros/a.cpp", '"modeler/ros/line_poses.hpp"'),
-                ("eval/a.cpp", '"eval/ros/tour_watch.hpp"')]:
+                ("eval/a.cpp", '"eval/ros/tour_watch.hpp"'),
+                ("eval/a.cpp", '"bench/sections.hpp"'),
+                ("bench/a/b.cpp", '"sim/ros/pacer.hpp"')]:
             with self.subTest(name=name, target=target):
                 self.plant(name, f"  #  include {target}\n")
                 self.assert_one(rooms.wrong_includes(self.root), name, target.strip('"'))
@@ -70,8 +72,8 @@ class PlantedDefects(unittest.TestCase):
         without = [room for room, row in rooms.ROOMS.items() if row.libraries is not rooms.ANY]
         self.assertEqual(8, len(without))
         for room in without:
-            for target in ["ros/ros.h", "tf2/buffer_core.h", "tf2_ros/buffer.h", "pcl/point_types.h",
-                           "sensor_msgs/LaserScan.h", "ribbon_mapper/Save.h", "rosbag/bag.h"]:
+            for target in ["ros/ros.h", "tf2/buffer_core.h", "tf2_ros/buffer.h", "rosbag/bag.h",
+                           "sensor_msgs/LaserScan.h", "ribbon_mapper/Save.h", "pcl/io/pcd_io.h"]:
                 with self.subTest(room=room, target=target):
                     self.plant(f"{room}/a.hpp", f"#include <{target}>\n")
                     self.assert_one(rooms.wrong_includes(self.root), room, target)

@@ -50,8 +50,8 @@ class BadCorrection : public ::testing::Test {
     bad = truth;
     for (StampedPose& pose : bad) pose.stamp = truth[0].stamp;
     expect_refusal(bad, "the stamp of its own time");
-    for (const double value : {std::numeric_limits<double>::quiet_NaN(),
-                               std::numeric_limits<double>::infinity()}) {
+    for (const double value :
+         {std::numeric_limits<double>::quiet_NaN(), std::numeric_limits<double>::infinity()}) {
       bad = truth;
       bad[7].T_map_base.translation().z() = value;
       expect_refusal(bad, "pose 7");
@@ -94,7 +94,7 @@ TEST_F(BadCorrection, OfAPartOfTheRun) {
   const Pose last_change = part.back().T_map_base * at(recorded, part.back().stamp).inverse();
   for (std::size_t i = 0; i < recorded.size(); ++i) {
     const Time stamp = recorded[i].stamp;
-    const Pose expected = stamp < part.front().stamp ? first_change * recorded[i].T_map_base
+    const Pose expected = stamp < part.front().stamp  ? first_change * recorded[i].T_map_base
                           : stamp > part.back().stamp ? last_change * recorded[i].T_map_base
                                                       : at(truth, stamp);
     EXPECT_LT((expected.matrix() - modeler.trajectory()[i].T_map_base.matrix()).norm(), 1e-9);

@@ -27,9 +27,9 @@ Face plane(const Eigen::Vector3d& normal, double d_m, const Eigen::Vector3d& lea
 }
 
 World room() {
-  return {plane(Eigen::Vector3d::UnitX(), 3.0),  plane(-Eigen::Vector3d::UnitX(), 3.0),
-          plane(Eigen::Vector3d::UnitY(), 2.5),  plane(-Eigen::Vector3d::UnitY(), 2.5),
-          plane(Eigen::Vector3d::UnitZ(), 0.0),  plane(-Eigen::Vector3d::UnitZ(), 2.5)};
+  return {plane(Eigen::Vector3d::UnitX(), 3.0), plane(-Eigen::Vector3d::UnitX(), 3.0),
+          plane(Eigen::Vector3d::UnitY(), 2.5), plane(-Eigen::Vector3d::UnitY(), 2.5),
+          plane(Eigen::Vector3d::UnitZ(), 0.0), plane(-Eigen::Vector3d::UnitZ(), 2.5)};
 }
 
 double range_m(const World& world, const Eigen::Vector3d& origin,

@@ -64,8 +64,8 @@ Pose T_base_laser(double tilt_rad);
 
 struct Line {
   LaserBeams beams;
-  LinePoses poses;        ///< as a SLAM reports them
-  Pose T_map_base_true;   ///< half way between the first and the last beam
+  LinePoses poses;       ///< as a SLAM reports them
+  Pose T_map_base_true;  ///< half way between the first and the last beam
 };
 using Lines = std::vector<Line>;
 

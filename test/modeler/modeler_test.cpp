@@ -46,6 +46,24 @@ TEST(Modeler, PlanesSayWhatTheyAre) {
   }
 }
 
+/// A board of 1.2 m with strips of 9 cm beside it, too narrow for ribbons, before a robot that
+/// drives up to it.
+TEST(Modeler, PointsOfNoRibbonAreWhereTheRobotSawThem) {
+  const auto board = [](double least_y, double most_y) {
+    return plane(-Eigen::Vector3d::UnitX(), 3.0, {0, least_y, 0}, {9, most_y, 2.5});
+  };
+  const World world{board(-0.6, 0.6), board(0.66, 0.75), board(-0.75, -0.66)};
+  const auto drive_up = [](double time_s) { return planar_pose(0.2 * time_s, 0.0, 0.0); };
+  const auto planes =
+      model_of(drive(world, {drive_up, to_and_fro, no_drift}, 0.0, 6.0)).merged_planes();
+  ASSERT_EQ(1u, planes.size());
+  std::size_t on_strips = 0;
+  for (const PlaneCell& cell : planes[0].cells) {
+    on_strips += std::abs(cell_centre(planes[0], cell).y()) > 0.65;
+  }
+  EXPECT_GT(on_strips, 0.7 * 2 * (0.09 / 0.05) * (2.5 / 0.05));
+}
+
 TEST(Modeler, AnEmptyOneHasNothing) {
   Modeler modeler{ModelerConfig{}};
   EXPECT_TRUE(modeler.planes().empty());
@@ -71,13 +89,11 @@ TEST(Modeler, SaysWhatBecameOfEachLine) {
   EXPECT_EQ(LineResult::modelled, result_of(lines[10], [](Line&) {}));
   EXPECT_EQ(LineResult::out_of_order, result_of(lines[10], [](Line&) {}));
   EXPECT_EQ(LineResult::out_of_order, result_of(lines[9], [](Line&) {}));
-  EXPECT_EQ(LineResult::too_close, result_of(lines[10], [](Line& line) {
-              line.beams.stamp += from_seconds(0.001);
-            }));
+  EXPECT_EQ(LineResult::too_close,
+            result_of(lines[10], [](Line& line) { line.beams.stamp += from_seconds(0.001); }));
   for (const float nothing : {nan_, inf, -inf, -1.0F, 0.0F, 1e9F}) {
-    EXPECT_EQ(LineResult::no_returns, result_of(lines[11], [=](Line& line) {
-                line.beams.ranges_m.assign(361, nothing);
-              }));
+    EXPECT_EQ(LineResult::no_returns,
+              result_of(lines[11], [=](Line& line) { line.beams.ranges_m.assign(361, nothing); }));
   }
   EXPECT_EQ(LineResult::no_returns,
             result_of(lines[11], [](Line& line) { line.beams.ranges_m.clear(); }));

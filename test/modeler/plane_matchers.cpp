@@ -89,9 +89,11 @@ void expect_one_for_each(const World& world, const std::vector<Plane>& planes, d
                          double distance_m) {
   EXPECT_EQ(world.size(), planes.size());
   for (const Face& face : world) {
-    EXPECT_EQ(1, std::count_if(planes.begin(), planes.end(), [&](const Plane& plane_) {
-      return is_at(face, plane_, angle_deg, distance_m);
-    })) << "planes at the face with normal " << face.normal.transpose() << ", d " << face.d_m;
+    EXPECT_EQ(1, std::count_if(planes.begin(), planes.end(),
+                               [&](const Plane& plane_) {
+                                 return is_at(face, plane_, angle_deg, distance_m);
+                               }))
+        << "planes at the face with normal " << face.normal.transpose() << ", d " << face.d_m;
   }
 }
 

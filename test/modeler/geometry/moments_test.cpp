@@ -128,7 +128,8 @@ TEST(FitPlane, AgreesWithTheIterativeSolverInDegenerateCases) {
   expect_agreement_with_iterative_solver("one line", cloud({2.0, 0.0, 0.0}, near, 200, 7));
   expect_agreement_with_iterative_solver("one point", Points(5, near));
   expect_agreement_with_iterative_solver("three points", {{0, 0, 1}, {1, 0, 1}, {0, 1, 1}});
-  expect_agreement_with_iterative_solver("a square", {{1, 0, 0}, {-1, 0, 0}, {0, 1, 0}, {0, -1, 0}});
+  expect_agreement_with_iterative_solver("a square",
+                                         {{1, 0, 0}, {-1, 0, 0}, {0, 1, 0}, {0, -1, 0}});
   expect_agreement_with_iterative_solver(
       "a ball", {{1, 0, 0}, {-1, 0, 0}, {0, 1, 0}, {0, -1, 0}, {0, 0, 1}, {0, 0, -1}});
 }

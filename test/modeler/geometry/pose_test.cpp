@@ -71,8 +71,8 @@ TEST(AngleOf, IsTheTurnWhateverItsAxis) {
 TEST(IsValid, OnlyFiniteRigidTransforms) {
   std::mt19937 random(3);
   EXPECT_TRUE(is_valid(random_pose(random)));
-  for (const double bad : {std::numeric_limits<double>::quiet_NaN(),
-                           std::numeric_limits<double>::infinity()}) {
+  for (const double bad :
+       {std::numeric_limits<double>::quiet_NaN(), std::numeric_limits<double>::infinity()}) {
     Pose pose = Pose::Identity();
     pose.translation().y() = bad;
     EXPECT_FALSE(is_valid(pose));

@@ -48,6 +48,14 @@ TEST(Outline, OfAnLHasSixCorners) {
   EXPECT_NEAR(plane.area_m2, area_m2(plane, outline), 1e-9);
 }
 
+TEST(Outline, KeepsNotchesThatAreDeeperThanACell) {
+  for (const int depth : {1, 3}) {
+    const Plane plane = level_plane(
+        0.0, rectangle(60, 40) + rectangle(20, depth, 0, 40) + rectangle(20, depth, 40, 40));
+    EXPECT_EQ(depth == 1 ? 4u : 8u, outline_of(plane, 0.1).size());
+  }
+}
+
 TEST(Outline, ClosesTheStripesBetweenLines) {
   Cells stripes;
   for (int v = 0; v < 40; v += 5) stripes = stripes + rectangle(40, 1, 0, v);

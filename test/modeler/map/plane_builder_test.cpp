@@ -40,6 +40,18 @@ TEST(FilteredPlanes, GapsOfUpToAMetreAreBridged) {
   EXPECT_NEAR(2.0, (apart[0].centroid - apart[1].centroid).norm(), 0.2);
 }
 
+TEST(FilteredPlanes, WhatPassedForOneTiltedPlaneIsParted) {
+  for (const double step_m : {0.0, 0.1}) {
+    Scene scene;
+    scene.add(patch({1.013, 0.017, 0.0}, x, y));
+    scene.add(patch({2.513, 0.017, step_m}, x, y));
+    const auto planes =
+        filtered_planes({scene.whole()}, config.corrected, scene.evidence(), config);
+    ASSERT_EQ(step_m == 0.0 ? 1u : 2u, planes.size());
+    for (const Plane& plane : planes) EXPECT_NEAR(1.0, plane.normal.z(), 1e-6);
+  }
+}
+
 TEST(FilteredPlanes, TheAreaIsThatOfTheCellsHoweverOftenSeen) {
   Scene scene;
   scene.add(patch({1.0, 0.0, 0.0}, 2.0 * x, y));
@@ -79,8 +91,9 @@ Scene upright(std::optional<double> radius_m) {
     Ribbon ribbon = ribbon_between({2.0, 0.17, 0.04 * i}, {2.0, -0.17, 0.04 * i}, -x);
     ribbon.moments = {};
     for (RibbonSample& sample : ribbon.samples) {
-      if (radius_m) sample.point.x() = static_cast<float>(
-          2.0 + *radius_m - std::sqrt(*radius_m * *radius_m - std::pow(sample.point.y(), 2)));
+      if (radius_m)
+        sample.point.x() = static_cast<float>(
+            2.0 + *radius_m - std::sqrt(*radius_m * *radius_m - std::pow(sample.point.y(), 2)));
       ribbon.moments.add(sample.point.cast<double>());
     }
     ribbon.moments.spread(0.02 * z);
