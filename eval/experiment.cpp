@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <chrono>
 
+#include "eval/point_truth.hpp"
+#include "eval/statistics.hpp"
 #include "eval/world_outlines.hpp"
 #include "modeler/modeler.hpp"
 #include "sim/truth.hpp"
@@ -50,14 +52,18 @@ bool is_dropped(LineResult result) {
   return result == LineResult::malformed || result == LineResult::out_of_order;
 }
 
-double median(std::vector<double> values) {
-  if (values.empty()) return 0.0;
-  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-  std::nth_element(values.begin(), middle, values.end());
-  return *middle;
-}
+/// What the simulator knows of the world, and of each beam.
+struct Truth {
+  explicit Truth(const sim::World& world) : collector(world) {}
+  void add(const sim::Scan& scan) {
+    points.add(middle_of(beams_of(scan)), collector.add(scan));
+  }
 
-LineLog drive(sim::Tour& tour, Modeler& modeler, sim::TruthCollector& truth,
+  sim::TruthCollector collector;
+  PointTruth points;
+};
+
+LineLog drive(sim::Tour& tour, Modeler& modeler, Truth& truth,
               const ProgressCallback& progress) {
   LineLog log;
   while (const std::optional<sim::Scan> scan = tour.next_scan()) {
@@ -80,12 +86,19 @@ std::vector<StampedPose> true_poses(const sim::Tour& tour, std::vector<StampedPo
   return trajectory;
 }
 
-std::vector<Patch> patches_of(const sim::TruthCollector& truth) {
+std::vector<Patch> patches_of(const std::vector<sim::TruthPlane>& planes) {
   std::vector<Patch> patches;
-  for (const sim::TruthPlane& plane : truth.planes()) {
+  for (const sim::TruthPlane& plane : planes) {
     patches.push_back({plane.normal, plane.d_m, plane.area_m2, plane.cells});
   }
   return patches;
+}
+
+PointMetrics point_metrics(const PointTruth& truth, const Modeler& modeler,
+                           const std::vector<Plane>& planes) {
+  const Overlaps of_ribbons = truth.overlaps(modeler, planes, PointTruth::Points::of_ribbons);
+  const Overlaps all = truth.overlaps(modeler, planes, PointTruth::Points::all);
+  return {segcomp(of_ribbons), evops(of_ribbons), duplication(of_ribbons), segcomp(all)};
 }
 
 Summary summary_of(const LineLog& log, const sim::Tour& tour, const Modeler& modeler) {
@@ -93,7 +106,7 @@ Summary summary_of(const LineLog& log, const sim::Tour& tour, const Modeler& mod
   summary.lines = log.line_s.size();
   summary.dropped_lines = log.dropped;
   summary.ribbons = modeler.statistics().ribbons;
-  summary.us_per_line = 1e6 * median(log.line_s);
+  summary.us_per_line = 1e6 * quantile(log.line_s, 0.5);
   summary.real_time_factor = to_seconds(tour.duration()) / log.total_s;
   return summary;
 }
@@ -105,12 +118,14 @@ Results run_experiment(const sim::World& world, const sim::Route& route,
                        const ProgressCallback& progress) {
   sim::Tour tour(world, route, tour_config);
   Modeler modeler(modeler_config);
-  sim::TruthCollector truth(world);
+  Truth truth(world);
   const LineLog log = drive(tour, modeler, truth, progress);
 
   Results results;
   results.summary = summary_of(log, tour, modeler);
-  results.truth = patches_of(truth);
+  const std::vector<sim::TruthPlane> true_planes = truth.collector.planes();
+  truth.points.settle(true_planes);
+  results.truth = patches_of(true_planes);
   results.world_outlines = world_outlines(world);
   results.models.noisy_raw = modeler.planes();
   results.models.noisy_merged = modeler.merged_planes();
@@ -123,6 +138,9 @@ Results run_experiment(const sim::World& world, const sim::Route& route,
   results.models.corrected_merged = modeler.merged_planes();
   results.trajectory_after = modeler.trajectory();
   evaluate(results);
+  results.summary.points = for_each_cell(results.models, [&](const std::vector<Plane>& planes) {
+    return point_metrics(truth.points, modeler, planes);
+  });
   return results;
 }
 

@@ -5,10 +5,8 @@
 namespace ribbon_mapper::sim {
 
 void HitGrid::find(std::uint64_t key) {
-  const auto [tile, added] = tiles_.try_emplace(key);
-  if (added) tile->second.fill(-1);
   last_key_ = key;
-  last_tile_ = &tile->second;
+  last_tile_ = &tiles_[key];
 }
 
 std::vector<HitCell> HitGrid::cells() const {
@@ -18,8 +16,8 @@ std::vector<HitCell> HitGrid::cells() const {
     const auto tile_v = static_cast<std::int32_t>(static_cast<std::uint32_t>(key));
     for (std::int32_t v = 0; v < kTileSide; ++v)
       for (std::int32_t u = 0; u < kTileSide; ++u)
-        if (const int face = tile[(v << kTileBits) | u]; face >= 0)
-          cells.push_back({tile_u * kTileSide + u, tile_v * kTileSide + v, face});
+        if (const Hit& hit = tile[(v << kTileBits) | u]; hit.face >= 0)
+          cells.push_back({tile_u * kTileSide + u, tile_v * kTileSide + v, hit.face, hit.number});
   }
   return cells;
 }

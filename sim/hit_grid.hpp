@@ -19,11 +19,13 @@ class HitGrid {
   HitGrid(HitGrid&&) = default;
   HitGrid(const HitGrid&) = delete;  // it points into itself
 
-  void add(std::int32_t u, std::int32_t v, int face) {
+  /// The cell's number: `next_number` if it is hit for the first time.
+  int add(std::int32_t u, std::int32_t v, int face, int next_number) {
     const std::uint64_t key = key_of(u >> kTileBits, v >> kTileBits);
     if (key != last_key_ || !last_tile_) find(key);
-    std::int32_t& first_face = (*last_tile_)[((v & kMask) << kTileBits) | (u & kMask)];
-    if (first_face < 0) first_face = face;
+    Hit& hit = (*last_tile_)[((v & kMask) << kTileBits) | (u & kMask)];
+    if (hit.face < 0) hit = {face, next_number};
+    return hit.number;
   }
 
   /// All cells hit, in no particular order.
@@ -31,7 +33,11 @@ class HitGrid {
 
  private:
   static constexpr int kTileBits = 5, kTileSide = 1 << kTileBits, kMask = kTileSide - 1;
-  using Tile = std::array<std::int32_t, kTileSide * kTileSide>;  ///< faces, -1 where not hit
+  struct Hit {
+    std::int32_t face = -1;  ///< -1: not hit
+    std::int32_t number = 0;
+  };
+  using Tile = std::array<Hit, kTileSide * kTileSide>;
 
   static std::uint64_t key_of(std::int32_t u, std::int32_t v) {
     return (static_cast<std::uint64_t>(static_cast<std::uint32_t>(u)) << 32) |

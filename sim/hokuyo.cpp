@@ -62,6 +62,12 @@ double sigma_m(RangeNoise noise, double range_m) {
   return 0.0;
 }
 
+void HokuyoConfig::set_beams(int count) {
+  constexpr double kWithinStep = 1e-3;  // so that rounding takes no beam away
+  angle_min_rad = -(count / 2 + kWithinStep) * angle_increment_rad;
+  angle_max_rad = (count - 1 - count / 2 + kWithinStep) * angle_increment_rad;
+}
+
 void HokuyoConfig::validate() const {
   const auto require = [](bool condition, const char* message) {
     if (!condition) throw std::invalid_argument(std::string("hokuyo: ") + message);

@@ -56,6 +56,8 @@ struct HokuyoConfig {
   double noise_scale = 1.0;  ///< multiplies sigma
   bool mixed_pixels = true;  ///< ranges between two depths where the beam's spot meets both
   double quantisation_m = 0.001;
+  /// So many beams about straight ahead; of an even number, one more to the right (negative angles).
+  void set_beams(int count);
   void validate() const;  ///< throws std::invalid_argument naming the key and its range
 };
 

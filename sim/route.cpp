@@ -79,6 +79,11 @@ Route::Route(double speed_m_s, double turn_rate_rad_s, std::vector<Eigen::Vector
   if (closed()) turn_to(first_yaw_rad);
 }
 
+Route Route::at_speed(double speed_m_s) const {
+  const double turn_rate_rad_s = turn_rate_rad_s_ * speed_m_s / speed_m_s_;
+  return {speed_m_s, std::min(turn_rate_rad_s, pr2::kBaseTurnRate_rad_s), waypoints_};
+}
+
 Pose Route::end_pose() const { return planar_pose(end_place_.x(), end_place_.y(), end_yaw_rad_); }
 
 void Route::turn_to(double yaw_rad) {

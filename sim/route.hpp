@@ -47,6 +47,9 @@ class Route {
   Time duration() const;
   double length_m() const { return length_m_; }
   double speed_m_s() const { return speed_m_s_; }
+  /// The same way at another speed, the turn rate scaled alike up to the PR2's limit. Throws as the
+  /// constructor does.
+  Route at_speed(double speed_m_s) const;
   bool closed() const { return waypoints_.front() == waypoints_.back(); }
   const std::vector<Eigen::Vector2d>& waypoints() const { return waypoints_; }
 

@@ -34,10 +34,11 @@ struct Group {
     v_axis = normal.cross(u_axis);
   }
 
-  void add(const Vector3d& point, int face) {
+  /// The cell's number: `next_number` if it is hit for the first time.
+  int add(const Vector3d& point, int face, int next_number) {
     const auto u = static_cast<std::int32_t>(std::floor(point.dot(u_axis) / kCell_m));
     const auto v = static_cast<std::int32_t>(std::floor(point.dot(v_axis) / kCell_m));
-    hits.add(u, v, face);
+    return hits.add(u, v, face, next_number);
   }
 
   Vector3d centre(const HitCell& cell) const {
@@ -57,6 +58,7 @@ struct Group {
     std::set<int> faces;
     for (const HitCell& cell : patch) {
       plane.cells.push_back(centre(cell));
+      plane.cell_numbers.push_back(cell.number);
       faces.insert(cell.face);
     }
     plane.faces.assign(faces.begin(), faces.end());
@@ -74,6 +76,7 @@ struct TruthCollector::State {
   const World& world;
   std::vector<Group> groups;
   std::vector<int> outer, inner;  ///< group of each face seen from its normal's side, from behind
+  int cell_count = 0;
 
   int group_of(const Vector3d& normal, double d_m) {
     for (std::size_t i = 0; i < groups.size(); ++i)
@@ -96,7 +99,7 @@ struct TruthCollector::State {
   }
 };
 
-TruthCollector::TruthCollector(const World& world) : state_(new State{world, {}, {}, {}}) {
+TruthCollector::TruthCollector(const World& world) : state_(new State{world, {}, {}, {}, 0}) {
   for (const Face& face : world.faces()) {
     state_->outer.push_back(face.planar ? state_->group_of(face.normal, face.d_m) : -1);
     state_->inner.push_back(face.planar ? state_->group_of(-face.normal, -face.d_m) : -1);
@@ -105,19 +108,25 @@ TruthCollector::TruthCollector(const World& world) : state_(new State{world, {},
 
 TruthCollector::~TruthCollector() = default;
 
-void TruthCollector::add(const Vector3d& point_map, const Vector3d& origin_map, int face) {
-  if (face < 0 || !state_->world.faces()[face].planar) return;
+int TruthCollector::add(const Vector3d& point_map, const Vector3d& origin_map, int face) {
+  if (face < 0 || !state_->world.faces()[face].planar) return -1;
   const Face& hit = state_->world.faces()[face];
   const bool from_outside = hit.normal.dot(origin_map) + hit.d_m >= 0.0;
-  state_->groups[from_outside ? state_->outer[face] : state_->inner[face]].add(point_map, face);
+  Group& group = state_->groups[from_outside ? state_->outer[face] : state_->inner[face]];
+  const int number = group.add(point_map, face, state_->cell_count);
+  state_->cell_count += number == state_->cell_count ? 1 : 0;
+  return number;
 }
 
-void TruthCollector::add(const Scan& scan) {
+std::vector<int> TruthCollector::add(const Scan& scan) {
+  std::vector<int> numbers(scan.faces.size(), -1);
   for (std::size_t i = 0; i < scan.faces.size(); ++i) {
     if (scan.faces[i] < 0) continue;
     const Ray& ray = scan.rays[i];
-    add(ray.origin + scan.true_ranges_m[i] * ray.direction, ray.origin, scan.faces[i]);
+    numbers[i] =
+        add(ray.origin + scan.true_ranges_m[i] * ray.direction, ray.origin, scan.faces[i]);
   }
+  return numbers;
 }
 
 std::vector<TruthPlane> TruthCollector::planes(double min_area_m2) const {

@@ -21,6 +21,7 @@ struct TruthPlane {
   double d_m = 0.0;                                   ///< n.p + d = 0 in map
   double area_m2 = 0.0;
   std::vector<Eigen::Vector3d> cells;  ///< centres of the hit cells, in map, on the plane
+  std::vector<int> cell_numbers;       ///< of the cells, as TruthCollector::add() gave them
   std::vector<int> faces;              ///< indices into World::faces()
 };
 
@@ -30,10 +31,11 @@ class TruthCollector {
   explicit TruthCollector(const World& world);
   ~TruthCollector();
   /// A hit without noise, in map; `face` as World::cast() gives it (-1 is ignored). The beam's
-  /// origin tells the side: both sides of a thin wall are planes of their own.
-  void add(const Eigen::Vector3d& point_map, const Eigen::Vector3d& origin_map, int face);
-  /// All hits of a scan.
-  void add(const Scan& scan);
+  /// origin tells the side: both sides of a thin wall are planes of their own. Returns the number
+  /// of the cell that was hit, the same at every hit; -1 if the hit is on no planar face.
+  int add(const Eigen::Vector3d& point_map, const Eigen::Vector3d& origin_map, int face);
+  /// All hits of a scan. Returns the number of the cell that each beam hit.
+  std::vector<int> add(const Scan& scan);
   /// Truth planes seen so far, largest first. A smaller `min_area_m2` shows what fell short.
   std::vector<TruthPlane> planes(double min_area_m2 = 0.5) const;
 

@@ -4,6 +4,7 @@
 
 #include <yaml-cpp/yaml.h>
 
+#include <ios>
 #include <map>
 #include <stdexcept>
 
@@ -76,6 +77,8 @@ ModelerConfig load_config(const std::string& path) {
     return read(path);
   } catch (const YAML::BadFile&) {
     throw std::invalid_argument(path + ": cannot be read: is there such a file?");
+  } catch (const std::ios_base::failure& error) {  // a folder, for instance
+    throw std::invalid_argument(path + ": cannot be read: " + error.what());
   } catch (const YAML::Exception& error) {
     throw std::invalid_argument(path + ": " + error.what());
   } catch (const std::invalid_argument& error) {
