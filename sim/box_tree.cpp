@@ -15,7 +15,7 @@ using Box = Eigen::AlignedBox3d;
 
 constexpr int kBins = 16;
 constexpr int kMostInLeaf = 8;
-constexpr double kNodeCost = 1.0;  ///< of a node against that of an item
+constexpr double kNodeCost = 0.5;  ///< of a node against that of an item
 constexpr int kGoodLevels = 40;    ///< deeper than this, ranges are halved: 32 levels at most
 
 double half_area(const Box& box) {

@@ -83,8 +83,8 @@ RIBBON_MAPPER_INLINE void RayPacket::meet(const RayScene::Item& item) {
   const auto &n = facet.plane.n, &nu = facet.u.n, &nv = facet.v.n;
   const Lanes zero{}, low = zero - kEdgeSlack, high = zero + (1.0 + kEdgeSlack);
   const Lanes most = zero + (facet.max_uv + kEdgeSlack);
-  const Ids own = Ids{} + static_cast<std::int64_t>(item.id);
-  Ids any{};
+  const Lanes own = zero + static_cast<double>(item.id);
+  Mask any{};
   for (int g = 0; g < groups_; ++g) {
     const Lanes ox = origin_[0][g], oy = origin_[1][g], oz = origin_[2][g];
     const Lanes dx = direction_[0][g], dy = direction_[1][g], dz = direction_[2][g];
@@ -93,9 +93,9 @@ RIBBON_MAPPER_INLINE void RayPacket::meet(const RayScene::Item& item) {
     const Lanes px = ox + range_m * dx, py = oy + range_m * dy, pz = oz + range_m * dz;
     const Lanes u = nu[0] * px + nu[1] * py + nu[2] * pz + facet.u.d;
     const Lanes v = nv[0] * px + nv[1] * py + nv[2] * pz + facet.v.d;
-    const Ids nearer = (range_m < range_m_[g]) | ((range_m == range_m_[g]) & (own < id_[g]));
-    const Ids met = nearer & (range_m > zero) & (u >= low) & (v >= low) & (u <= high) &
-                    (v <= high) & (u + v <= most);
+    const Mask nearer = (range_m < range_m_[g]) | ((range_m == range_m_[g]) & (own < id_[g]));
+    const Mask met = nearer & (range_m > zero) & (u >= low) & (v >= low) & (u <= high) &
+                     (v <= high) & (u + v <= most);
     range_m_[g] = met ? range_m : range_m_[g];
     id_[g] = met ? own : id_[g];
     any |= met;

@@ -29,7 +29,7 @@ class RayPacket {
  private:
   static constexpr int kWidth = 4, kMostGroups = kMostRays / kWidth;
   using Lanes = double __attribute__((vector_size(kWidth * sizeof(double))));
-  using Ids = std::int64_t __attribute__((vector_size(kWidth * sizeof(std::int64_t))));
+  using Mask = std::int64_t __attribute__((vector_size(kWidth * sizeof(std::int64_t))));
 
   /// Bounds along one axis, mirrored if the rays go down it: then all of them go up.
   struct Axis {
@@ -45,7 +45,7 @@ class RayPacket {
   int groups_;
   std::array<std::array<Lanes, kMostGroups>, 3> origin_, direction_;
   std::array<Lanes, kMostGroups> range_m_;
-  std::array<Ids, kMostGroups> id_;
+  std::array<Lanes, kMostGroups> id_;  ///< in double: older processors compare these only
   std::array<Axis, 3> axes_;
   float reach_m_;  ///< no ray looks further than this
 };

@@ -2,19 +2,17 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <Eigen/Core>
 #include <functional>
 #include <memory>
 #include <vector>
 
+#include "sim/ray_caster.hpp"
 #include "sim/shape.hpp"
 #include "sim/tessellation.hpp"
 
 namespace ribbon_mapper::bench {
 
-struct Ray {
-  Eigen::Vector3d origin, direction;  ///< in map, direction of length 1
-};
+using sim::Ray;
 
 /// Ranges of first hits [m], infinite where there is none within `max_range_m`.
 using RayCasting =

@@ -31,7 +31,7 @@ class Lines {
   }
 
   Pose T_map_laser(Time time) const {
-    return route_.T_map_base(time) * sim::pr2::T_base_laser(tilt_.angle_rad(time));
+    return sim::pr2::T_map_laser(route_.T_map_base(time), tilt_.angle_rad(time));
   }
   std::size_t beams() const { return stamps_.size() * hokuyo_.beam_count(); }
 
@@ -72,6 +72,16 @@ RayCasting ours(const sim::World& world) {
   };
 }
 
+RayCasting ours_by_line(const sim::World& world) {
+  return [&world](const std::vector<Ray>& rays, double max_range_m, std::vector<float>& ranges) {
+    const auto hits = world.cast_line(rays, max_range_m);
+    for (std::size_t i = 0; i < rays.size(); ++i) {
+      ranges[i] = hits[i] ? static_cast<float>(hits[i]->range_m)
+                          : std::numeric_limits<float>::infinity();
+    }
+  };
+}
+
 /// How two ways to cast the same rays differ.
 std::string differences(const std::vector<float>& a, const std::vector<float>& b) {
   double largest_m = 0.0;
@@ -99,7 +109,8 @@ void measure_rays(const Inputs& /*inputs*/, Report& report) {
       {"ours: World::cast, ray by ray", ours(world)},
       {"btCollisionWorld::rayTest, a body for each shape",
        bullet_ray_test(sim::read_sdf(source.world.string(), {}))},
-      {"Embree rtcIntersect1, high quality", embree(world.triangles())}};
+      {"Embree rtcIntersect1, high quality", embree(world.triangles())},
+      {"ours: World::cast_line", ours_by_line(world)}};
   const std::string whole = "ours: Hokuyo::scan, motion and noise on";
   std::vector<std::vector<float>> ranges(ways.size(), std::vector<float>(rays.size()));
   MicroBenchmarks benchmarks;

@@ -47,7 +47,7 @@ Recording driven(const TourSource& source) {
   recording.duration_s = to_seconds(tour.duration());
   while (const auto scan = tour.next_scan()) {
     recording.lines.push_back(recorded(*scan, tour));
-    truth.add(*scan, tour);
+    truth.add(*scan);
   }
   for (const sim::Face& face : world.faces()) {
     recording.face_normals.push_back(face.planar ? face.normal : Eigen::Vector3d::Zero().eval());

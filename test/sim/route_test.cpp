@@ -134,6 +134,28 @@ TEST(Route, TheBodyPassesUnderALintelOnlyAsHighAsItIs) {
   EXPECT_NO_THROW(require_free(world_of(sdf_block("carpet", {1, -1, 0}, {3, 1, 0.01})), route));
 }
 
+/// A cube of +-9 m as a mesh, which has no inside of its own; `bottom` closes it.
+World hollow_cube(bool bottom) {
+  std::string text;
+  for (const char* z : {" -9\n", " 9\n"})
+    for (const char* xy : {"v -9 -9", "v 9 -9", "v 9 9", "v -9 9"}) text += std::string(xy) + z;
+  text += "f 5 6 7 8\nf 1 2 6 5\nf 2 3 7 6\nf 3 4 8 7\nf 4 1 5 8\n";
+  if (bottom) text += "f 4 3 2 1\n";
+  const TemporaryDirectory directory;
+  write_file(directory.path() / "cube.obj", text);
+  write_file(directory.path() / "w.sdf",
+             sdf_world(sdf_model("cube", "0 0 0 0 0 0", sdf_mesh("cube.obj"))));
+  return World::load((directory.path() / "w.sdf").string());
+}
+
+TEST(Route, InsideAClosedMeshIsNotFreeEither) {
+  const Route route(0.3, 0.6, {{0, 0}, {1, 0}});
+  EXPECT_THROW(require_free(hollow_cube(true), route), std::runtime_error);
+  EXPECT_THROW(require_free(hollow_cube(false), Route(0.3, 0.6, {{0, 0}, {9.5, 0}})),
+               std::runtime_error)
+      << "through its side";
+}
+
 /// Solids and closed meshes are met even when the body is wholly inside of them.
 TEST(Route, InsideASolidIsNotFree) {
   const World world = world_of(sdf_block("hill", {-9, -9, -9}, {9, 9, 9}));
