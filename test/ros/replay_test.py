@@ -48,6 +48,7 @@ class Replay(unittest.TestCase):
         model = get_model(which=0, merged=True, cells=False)
         self.assertEqual(model.dropped_lines, 0)
         self.assertEqual(model.ribbons, summary['ribbons'])
+        print([(p.id, round(p.d, 4), round(p.area, 3)) for p in model.planes.planes], [(p["id"], round(p["d"], 4), round(p["area"], 3)) for p in planes], file=sys.stderr)
         self.assertEqual(len(model.planes.planes), len(planes))
         for played, read in zip(model.planes.planes, planes):
             self.assertEqual(played.id, read['id'])
