@@ -47,7 +47,7 @@ struct Modeler::State {
   void model_middle_line() {
     const ScanLine& middle = buffer.middle();
     const std::vector<Ribbon>& found = extraction.extract(buffer);
-    trajectory.add({middle.stamp, middle.T_map_base});
+    trajectory.add({{middle.stamp, middle.T_map_base}, middle.T_odom_base});
     const auto pose = static_cast<std::uint32_t>(trajectory.poses().size() - 1);
     strays.push_back(extraction.strays(buffer));
     strays.back().pose = pose;

@@ -47,8 +47,8 @@ class Modeler {
   LineResult add_scan_line(const LaserBeams& beams, const LinePoses& poses);
 
   /// Section 4.4: takes over a corrected trajectory (base_footprint in map, stamps strictly
-  /// increasing) and evaluates the model again. Between corrected poses the change is interpolated
-  /// in SE(3); before the first and after the last one, the nearest change holds. Each revision
+  /// increasing) and evaluates the model again. Between corrected poses the robot went as its
+  /// odometry says, the drift in between is interpolated in SE(3); before the first and after the last one, the nearest change holds. Each revision
   /// replaces the one before: changes are always measured from the poses that lines came with.
   /// Later lines: see CorrectionConfig::poses_follow.
   /// Throws std::invalid_argument if the trajectory is empty, out of order, not finite, or does

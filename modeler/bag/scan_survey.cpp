@@ -48,6 +48,7 @@ void ScanSurvey::add(const sensor_msgs::LaserScan& scan, const ros::Time& record
   }
   beams_ = scan.ranges.size();
   first_angle_rad_ = scan.angle_min, last_angle_rad_ = scan.angle_max;
+  beam_step_rad_ = std::abs(scan.angle_increment);
   look_at_ranges(scan);
 }
 

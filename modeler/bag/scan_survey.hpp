@@ -22,6 +22,7 @@ class ScanSurvey {
   void report(BagReport& report) const;
 
   std::size_t scans() const { return scans_; }
+  double beam_step_rad() const { return beam_step_rad_; }
   double median_period_s() const;
   double median_range_m() const;  ///< 0 without a usable range
   /// Noise of a range as second differences tell it, which are noise alone on a plane: of successive
@@ -39,7 +40,7 @@ class ScanSurvey {
   std::map<std::string, std::size_t> defects_;
   std::set<std::string> frames_;
   std::size_t beams_ = 0;
-  double first_angle_rad_ = 0.0, last_angle_rad_ = 0.0;
+  double first_angle_rad_ = 0.0, last_angle_rad_ = 0.0, beam_step_rad_ = 0.0;
   ros::Time newest_;
   std::vector<double> periods_s_, delays_s_;
   std::size_t ranges_ = 0, nan_ = 0, infinite_ = 0, zero_ = 0, out_of_range_ = 0;

@@ -110,11 +110,13 @@ void SweepSurvey::report_spacing(const ScanSurvey& scans, BagReport& report) con
   const std::string facts = "lines are " + degrees(step_rad, 2) + " degrees apart, " +
                             number(1e3 * spacing_m, 0) + " mm at the median range; the noise of a " +
                             "range is about " + number(1e3 * noise_m, 0) + " mm";
+  const double beam_spacing_m = scans.beam_step_rad() * range_m;
   if (spacing_m < noise_m) {
     report.warning(facts + ": closer than the noise. Lines are pooled; a preset with "
                            "scan.base_line_sigmas 3 (config/urg04lx.yaml) makes the most of them");
-  } else if (spacing_m > 0.05) {
-    report.warning(facts + ": coarse. Use wider cells and neighbourhoods (config/room_scan.yaml)");
+  } else if (beam_spacing_m > 0.025) {
+    report.warning(facts + "; beams are " + number(1e3 * beam_spacing_m, 0) +
+                   " mm apart: coarse. Use wider cells and neighbourhoods (config/room_scan.yaml)");
   } else {
     report.fact(facts);
   }

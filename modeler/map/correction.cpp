@@ -9,15 +9,16 @@
 namespace ribbon_mapper {
 namespace {
 
-bool is_before(Time time, const StampedPose& pose) { return time < pose.stamp; }
-
-/// Pose at a time within the trajectory's.
-Pose pose_at(const std::vector<StampedPose>& trajectory, Time time) {
-  const auto after = std::upper_bound(trajectory.begin(), trajectory.end(), time, is_before);
-  const StampedPose& from = *(after - 1);
-  if (from.stamp == time || after == trajectory.end()) return from.T_map_base;
-  const double fraction = to_seconds(time - from.stamp) / to_seconds(after->stamp - from.stamp);
-  return interpolate(from.T_map_base, after->T_map_base, fraction);
+/// The recorded pose at a time within the recording's, interpolated.
+RecordedPose recorded_at(const std::vector<RecordedPose>& recorded, Time time) {
+  const auto is_before = [](Time t, const RecordedPose& pose) { return t < pose.in_map.stamp; };
+  const auto after = std::upper_bound(recorded.begin(), recorded.end(), time, is_before);
+  const RecordedPose& from = *(after - 1);
+  if (from.in_map.stamp == time || after == recorded.end()) return from;
+  const double fraction =
+      to_seconds(time - from.in_map.stamp) / to_seconds(after->in_map.stamp - from.in_map.stamp);
+  return {{time, interpolate(from.in_map.T_map_base, after->in_map.T_map_base, fraction)},
+          interpolate(from.T_odom_base, after->T_odom_base, fraction)};
 }
 
 void require_usable(const std::vector<StampedPose>& trajectory) {
@@ -37,33 +38,37 @@ void require_usable(const std::vector<StampedPose>& trajectory) {
 
 }  // namespace
 
-Correction::Correction(const std::vector<StampedPose>& recorded,
+Correction::Correction(const std::vector<RecordedPose>& recorded,
                        const std::vector<StampedPose>& corrected) {
   require_usable(corrected);
+  const Time first = recorded.front().in_map.stamp, last = recorded.back().in_map.stamp;
   for (const StampedPose& pose : corrected) {
-    if (pose.stamp < recorded.front().stamp || pose.stamp > recorded.back().stamp) continue;
-    const Pose T_recorded_map = pose_at(recorded, pose.stamp).inverse(Eigen::Isometry);
-    changes_.push_back({pose.stamp, pose.T_map_base * T_recorded_map});
+    if (pose.stamp < first || pose.stamp > last) continue;
+    const RecordedPose was = recorded_at(recorded, pose.stamp);
+    changes_.push_back({pose.stamp,
+                        pose.T_map_base * was.in_map.T_map_base.inverse(Eigen::Isometry),
+                        pose.T_map_base * was.T_odom_base.inverse(Eigen::Isometry)});
   }
   if (changes_.empty()) {
     throw std::invalid_argument(
         "no pose of the corrected trajectory lies within the model's time (" +
-        std::to_string(to_seconds(recorded.front().stamp)) + " to " +
-        std::to_string(to_seconds(recorded.back().stamp)) + " s): is it of another run?");
+        std::to_string(to_seconds(first)) + " to " + std::to_string(to_seconds(last)) +
+        " s): is it of another run?");
   }
 }
 
-Pose Correction::corrected(const StampedPose& recorded) const {
+Pose Correction::corrected(const RecordedPose& recorded) const {
+  const Time stamp = recorded.in_map.stamp;
   const auto after =
-      std::upper_bound(changes_.begin(), changes_.end(), recorded.stamp, is_before);
-  if (after == changes_.begin()) return after->T_map_base * recorded.T_map_base;
-  const StampedPose& from = *(after - 1);
-  if (after == changes_.end()) return from.T_map_base * recorded.T_map_base;
+      std::upper_bound(changes_.begin(), changes_.end(), stamp,
+                       [](Time time, const Change& change) { return time < change.stamp; });
+  if (after == changes_.begin()) return after->T_corrected_map * recorded.in_map.T_map_base;
+  const Change& from = *(after - 1);
+  if (after == changes_.end()) return from.T_corrected_map * recorded.in_map.T_map_base;
   // The change of the position is that at the robot's own place, not at the map's origin.
-  const double fraction =
-      to_seconds(recorded.stamp - from.stamp) / to_seconds(after->stamp - from.stamp);
-  return interpolate(from.T_map_base * recorded.T_map_base,
-                     after->T_map_base * recorded.T_map_base, fraction);
+  const double fraction = to_seconds(stamp - from.stamp) / to_seconds(after->stamp - from.stamp);
+  return interpolate(from.T_corrected_odom * recorded.T_odom_base,
+                     after->T_corrected_odom * recorded.T_odom_base, fraction);
 }
 
 }  // namespace ribbon_mapper

@@ -8,21 +8,33 @@
 
 namespace ribbon_mapper {
 
+/// A pose as it was recorded: where localisation and odometry believed the base to be.
+struct RecordedPose {
+  StampedPose in_map;
+  Pose T_odom_base = Pose::Identity();
+};
+
 /// Change of a trajectory: what takes a pose as it was recorded to where a corrected trajectory
-/// says it was. At a corrected pose's time it is exactly that pose; between two of them the change,
-/// not the pose, is interpolated, so the odometry in between survives; before the first and after
-/// the last, the nearest change holds.
+/// says it was. At a corrected pose's time it is exactly that pose. Between two of them the robot
+/// went as its odometry says, and where odom lies in the corrected map is interpolated: a live
+/// localisation jumps about in between, odometry does not. Before the first and after the last, the
+/// nearest change of the recorded poses in map holds.
 class Correction {
  public:
   /// Poses of `corrected` that lie outside of the time of `recorded` (in order, not empty) are left
   /// out. Throws std::invalid_argument saying what is wrong if `corrected` is empty, not strictly
   /// in order, not finite, or if none of its poses lies within the time of `recorded`.
-  Correction(const std::vector<StampedPose>& recorded, const std::vector<StampedPose>& corrected);
+  Correction(const std::vector<RecordedPose>& recorded, const std::vector<StampedPose>& corrected);
 
-  Pose corrected(const StampedPose& recorded) const;
+  Pose corrected(const RecordedPose& recorded) const;
 
  private:
-  std::vector<StampedPose> changes_;  // T_map_base holds T_corrected_recorded
+  struct Change {
+    Time stamp;
+    Pose T_corrected_map;   ///< takes recorded poses in map to corrected ones
+    Pose T_corrected_odom;  ///< the same for poses in odom
+  };
+  std::vector<Change> changes_;
 };
 
 }  // namespace ribbon_mapper

@@ -6,9 +6,9 @@
 
 namespace ribbon_mapper {
 
-void Trajectory::add(const StampedPose& recorded) {
+void Trajectory::add(const RecordedPose& recorded) {
   recorded_.push_back(recorded);
-  current_.push_back(recorded);
+  current_.push_back(recorded.in_map);
   if (correction_ && !config_.poses_follow) {
     current_.back().T_map_base = correction_->corrected(recorded);
   }

@@ -18,18 +18,19 @@ class Trajectory {
   explicit Trajectory(const CorrectionConfig& config) : config_(config) {}
 
   /// Stamps must increase.
-  void add(const StampedPose& recorded);
+  void add(const RecordedPose& recorded);
 
   /// Throws as Correction does; the trajectory is then as it was.
   void correct(const std::vector<StampedPose>& corrected);
 
   const std::vector<StampedPose>& poses() const { return current_; }
-  const StampedPose& recorded(std::size_t index) const { return recorded_[index]; }
+  const StampedPose& recorded(std::size_t index) const { return recorded_[index].in_map; }
   bool is_corrected() const { return correction_.has_value(); }
 
  private:
   CorrectionConfig config_;
-  std::vector<StampedPose> recorded_, current_;
+  std::vector<RecordedPose> recorded_;
+  std::vector<StampedPose> current_;
   std::optional<Correction> correction_;
 };
 

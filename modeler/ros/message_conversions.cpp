@@ -140,8 +140,12 @@ std::vector<StampedPose> trajectory_of(const nav_msgs::Path& path, const std::st
     const std::optional<Pose> pose = pose_of(message.pose);
     if (!pose) refuse(i, "is not finite or its quaternion is not of length 1");
     const Time stamp = time_of(message.header.stamp);
-    if (i > 0 && stamp <= trajectory.back().stamp)
-      refuse(i, "is not later than the one before: each pose needs its own stamp, in order");
+    if (i > 0 && stamp <= trajectory.back().stamp) {
+      refuse(i, path.poses.front().header.stamp == path.poses.back().header.stamp
+                    ? "is not later than the one before: all poses carry one stamp, as those of "
+                      "RTAB-Map's mapPath do; slam_adapter takes its mapData and mapGraph instead"
+                    : "is not later than the one before: each pose needs its own stamp, in order");
+    }
     trajectory.push_back({stamp, *pose});
   }
   return trajectory;

@@ -26,6 +26,7 @@ void LineBuffer::push() {
   } else if (done_ > 0) {
     --done_;  // the oldest is overwritten by the next incoming line
   }
+  previous_ = slot(2), middle_ = slot(1), next_ = slot(0);
 }
 
 bool LineBuffer::advance() {

@@ -14,7 +14,7 @@ namespace ribbon_mapper {
 /// allows, it is the nearest ones that are far enough away.
 class LineBuffer {
  public:
-  explicit LineBuffer(double base_line_m) : base_line_m_(base_line_m) {}
+  explicit LineBuffer(double base_line_m = 0.0) : base_line_m_(base_line_m) {}
 
   /// Line to be filled with place_beams() before push().
   ScanLine& incoming() { return lines_[(newest_ + 1) % kSlots]; }
@@ -25,11 +25,13 @@ class LineBuffer {
 
   const ScanLine* newest_line() const { return count_ > 0 ? &lines_[newest_] : nullptr; }
 
-  /// Goes on to the next line that has one far enough before and one far enough after it; false if
-  /// there is none yet.
+  /// Goes on to the next middle line, one that has a line far enough before and one far enough
+  /// after it; false if there is none yet.
   bool advance();
 
-  // Valid after advance() was true, until push().
+  bool is_full() const { return count_ >= 3; }
+
+  // The last three lines after push(), if there are three; what advance() found after that.
   const ScanLine& previous() const { return lines_[previous_]; }
   const ScanLine& middle() const { return lines_[middle_]; }
   const ScanLine& next() const { return lines_[next_]; }

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "modeler/scan/scan_line.hpp"
 
+#include <algorithm>
+#include <array>
 #include <cmath>
 
 namespace ribbon_mapper {
@@ -71,7 +73,43 @@ void find_segments(ScanLine& line, const ScanConfig& config) {
   }
 }
 
+constexpr double degree = M_PI / 180.0;
+
+/// Tells which points lie on the robot itself.
+class RobotBody {
+ public:
+  RobotBody(const ScanLine& line, const ScanConfig& config)
+      : half_m_(config.body_half_size_m),
+        height_m_(half_m_ > 0.0 ? config.body_height_m : 0.0),
+        T_base_odom_(line.T_odom_base.inverse(Eigen::Isometry)) {}
+
+  bool holds(const Eigen::Vector3d& point) const {
+    if (height_m_ <= 0.0) return false;
+    const Eigen::Vector3d in_base = T_base_odom_ * point;
+    return std::abs(in_base.x()) < half_m_ && std::abs(in_base.y()) < half_m_ &&
+           in_base.z() < height_m_;
+  }
+
+ private:
+  double half_m_, height_m_;
+  Pose T_base_odom_;
+};
+
 }  // namespace
+
+bool is_veil(const LaserBeams& beams, std::size_t beam, const ScanConfig& config) {
+  if (config.veil_angle_deg <= 0.0 || beam == 0 || beam + 1 >= beams.ranges_m.size()) return false;
+  const std::array<double, 3> r{beams.ranges_m[beam - 1], beams.ranges_m[beam],
+                                beams.ranges_m[beam + 1]};
+  if ((r[1] - r[0]) * (r[2] - r[1]) <= 0.0) return false;
+  if (!is_return(beams.ranges_m[beam - 1], beams, config)) return false;
+  if (!is_return(beams.ranges_m[beam + 1], beams, config)) return false;
+  // The angle between beam and step is below the limit if the step's depth is more than this.
+  const double per_range = std::sin(std::abs(beams.angle_increment_rad)) /
+                           std::tan(config.veil_angle_deg * degree);
+  return std::abs(r[1] - r[0]) > per_range * std::min(r[0], r[1]) &&
+         std::abs(r[2] - r[1]) > per_range * std::min(r[1], r[2]);
+}
 
 bool is_return(float range_m, const LaserBeams& beams, const ScanConfig& config) {
   return std::isfinite(range_m) && range_m >= std::max(beams.range_min_m, config.least_range_m) &&
@@ -109,6 +147,7 @@ void place_beams(const LaserBeams& beams, const LinePoses& poses, const ScanConf
   const std::size_t size = beams.ranges_m.size();
   resize(line, size);
   const double step = size > 1 ? 1.0 / (size - 1.0) : 0.0;
+  const RobotBody body(line, config);
   Moments sum;
   for (std::size_t i = 0; i < size; ++i) {
     const double s = config.deskew ? i * step - 0.5 : 0.0;
@@ -116,9 +155,10 @@ void place_beams(const LaserBeams& beams, const LinePoses& poses, const ScanConf
     line.directions[i] =
         motion.direction(s, beams.angle_min_rad + i * beams.angle_increment_rad);
     line.before[i] = sum;
-    if (!is_return(beams.ranges_m[i], beams, config)) continue;
-    line.ranges_m[i] = beams.ranges_m[i];
+    if (!is_return(beams.ranges_m[i], beams, config) || is_veil(beams, i, config)) continue;
     line.points[i] = line.origins[i] + beams.ranges_m[i] * line.directions[i];
+    if (body.holds(line.points[i])) continue;
+    line.ranges_m[i] = beams.ranges_m[i];
     sum.add(line.points[i]);
   }
   line.before[size] = sum;

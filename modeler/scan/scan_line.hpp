@@ -40,6 +40,9 @@ struct ScanLine {
 /// True if a range is one: finite, within what the driver says, within what the preset allows.
 bool is_return(float range_m, const LaserBeams& beams, const ScanConfig& config);
 
+/// True if a return hangs in mid-air between two depths, see ScanConfig::veil_angle_deg.
+bool is_veil(const LaserBeams& beams, std::size_t beam, const ScanConfig& config);
+
 /// What is wrong with the beams or the poses of a line; nothing if they are usable.
 std::optional<std::string> defect_of(const LaserBeams& beams, const LinePoses& poses);
 

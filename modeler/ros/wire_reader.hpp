@@ -1,0 +1,48 @@
+// SPDX-FileCopyrightText: 2026 ribbon_mapper authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <functional>
+#include <map>
+#include <string>
+#include <vector>
+
+namespace ribbon_mapper {
+
+/// Reads messages whose package is not installed, by the definition that came with them: every
+/// publisher and every bag sends it along.
+class WireReader {
+ public:
+  /// `definition` as in the connection header: the message's own fields, then those of the types it
+  /// uses, each after a line of '=' and "MSG: package/Type". Throws std::invalid_argument if it
+  /// cannot be understood.
+  explicit WireReader(const std::string& definition);
+
+  /// A number in a message, by its path without indices: "graph.poses.position.x". Booleans, times
+  /// and durations (in seconds) are numbers, texts are not. Fields come in the order of the message.
+  using Visitor = std::function<void(const std::string& path, double value)>;
+
+  /// Visits all numbers but those of arrays of bytes. Throws std::invalid_argument if the message is
+  /// shorter than its definition demands.
+  void read(const std::uint8_t* data, std::size_t size, const Visitor& visit) const;
+
+ private:
+  struct Field {
+    std::string type, name;
+    bool is_array = false;
+    int length = -1;  ///< of an array, -1: in front of its elements
+  };
+  class Cursor;
+  void read_type(const std::string& type, const std::string& path, Cursor& cursor,
+                 const Visitor& visit) const;
+  void read_field(const Field& field, const std::string& path, Cursor& cursor,
+                  const Visitor& visit) const;
+  void parse_line(std::string line, const std::string& type);
+  std::string full_name(const std::string& type) const;
+
+  std::map<std::string, std::vector<Field>> types_;  ///< by full name, "": the message itself
+};
+
+}  // namespace ribbon_mapper

@@ -1,0 +1,171 @@
+// SPDX-FileCopyrightText: 2026 ribbon_mapper authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include <gmock/gmock.h>
+
+#include <algorithm>
+#include <cmath>
+#include <fstream>
+
+#include "eval/model_quality.hpp"
+#include "eval/ros/offline_run.hpp"
+#include "modeler/bag/time_offset.hpp"
+#include "modeler/io/config_file.hpp"
+#include "modeler/io/tum.hpp"
+#include "sim/ros/tour_recorder.hpp"
+#include "test/io/temporary_directory.hpp"
+
+namespace ribbon_mapper::eval {
+namespace {
+
+namespace fs = std::filesystem;
+using testing::HasSubstr;
+
+const fs::path kRoom = PROJECT_DIR "/test/data/small_room.bag";
+const fs::path kRoomTruth = PROJECT_DIR "/test/data/small_room.tum";
+
+/// Shared recordings lie beside the repository, or one folder further up.
+fs::path real(const std::string& name) {
+  for (const char* folder : {PROJECT_DIR "/../shared/data/real", PROJECT_DIR "/../../shared/data/real"}) {
+    if (fs::exists(fs::path(folder) / name)) return fs::path(folder) / name;
+  }
+  return {};
+}
+
+OfflineRun run(const fs::path& bag, const std::string& config, const fs::path& trajectory = {}) {
+  ros::Time::init();
+  OfflineOptions options;
+  options.bags = {bag};
+  options.config = PROJECT_DIR "/config/" + config;
+  options.trajectory = trajectory;
+  return model_bags(options, [](const Progress&) {});
+}
+
+double tilt_deg(const Plane& plane) {
+  return std::acos(std::min(1.0, std::abs(plane.normal.z()))) * 180.0 / M_PI;
+}
+
+TEST(Offline, ASmallRecordingOfOurOwn) {
+  const OfflineRun found = run(kRoom, "pr2.yaml", kRoomTruth);
+  EXPECT_EQ(found.summary.lines, 480u);
+  EXPECT_TRUE(found.summary.dropped_lines.empty());
+  EXPECT_EQ(found.summary.duplicates, 0u);
+  EXPECT_GE(found.planes_after.size(), 5u);  // four walls and the floor
+  EXPECT_LT(*found.summary.residual_m_median, 0.01);
+  EXPECT_EQ(found.summary.trajectory, "small_room.tum");
+}
+
+TEST(Offline, TheSameBagGivesTheSameBytes) {
+  const TemporaryDirectory a, b;
+  write_model(run(kRoom, "pr2.yaml"), a.path());
+  write_model(run(kRoom, "pr2.yaml"), b.path());
+  for (const char* name : {"planes_before.json", "planes_after.json", "planes_after.ply",
+                           "planes_after_cells.ply", "planes_after.bt", "trajectory.tum"}) {
+    EXPECT_GT(content_of(a.path() / name).size(), 100u) << name;
+    EXPECT_EQ(content_of(a.path() / name), content_of(b.path() / name)) << name;
+  }
+}
+
+TEST(Offline, ATrajectoryOfAnotherRunIsRefused) {
+  const TemporaryDirectory directory;
+  std::vector<StampedPose> other = read_tum(kRoomTruth);
+  for (StampedPose& pose : other) pose.stamp += std::chrono::hours(1);
+  const fs::path file = directory.path() / "other.tum";
+  std::ofstream(file) << to_tum(other);
+  try {
+    run(kRoom, "pr2.yaml", file);
+    ADD_FAILURE() << "taken";
+  } catch (const std::invalid_argument& error) {
+    EXPECT_THAT(error.what(), HasSubstr("of another run"));
+  }
+}
+
+TEST(Offline, ABagWithoutPosesSaysWhatIsMissing) {
+  ros::Time::init();
+  OfflineOptions options;
+  options.bags = {kRoom};
+  options.config = PROJECT_DIR "/config/pr2.yaml";
+  options.bag.tf_drop_frames = {"map"};
+  try {
+    model_bags(options, [](const Progress&) {});
+    ADD_FAILURE() << "modelled";
+  } catch (const std::runtime_error& error) {
+    EXPECT_THAT(error.what(), HasSubstr("480 x frame map is not in tf"));
+  }
+}
+
+TEST(Offline, KeyframesEachMetreGiveTheModelOfDenseOnes) {
+  const TemporaryDirectory directory;
+  const sim::World world = sim::World::load(PROJECT_DIR "/test/ros/room.sdf", {});
+  sim::TourConfig tour_config;
+  tour_config.localisation.drift = 0.3;  // of wheels with an IMU; 1 is what a particle filter assumes
+  sim::Tour tour(world, sim::Route::load(PROJECT_DIR "/test/ros/room.route.yaml"), tour_config);
+  const fs::path bag = directory.path() / "tour.bag", dense_file = directory.path() / "dense.tum";
+  const std::vector<StampedPose> dense = sim::record_tour(tour, {}, bag);
+  std::ofstream(dense_file) << to_tum(dense);
+  const std::vector<StampedPose> sparse = sim::keyframes(dense, 1.0);
+  EXPECT_LT(sparse.size(), 10u);
+  const fs::path file = directory.path() / "sparse.tum";
+  std::ofstream(file) << to_tum(sparse);
+  const OfflineRun a = run(bag, "pr2.yaml", dense_file), b = run(bag, "pr2.yaml", file);
+  ASSERT_EQ(a.planes_after.size(), b.planes_after.size());
+  for (std::size_t i = 0; i < a.planes_after.size(); ++i) {
+    const Plane &p = a.planes_after[i], &q = b.planes_after[i];
+    EXPECT_GT(p.normal.dot(q.normal), 0.999);
+    EXPECT_LT(std::abs(q.normal.dot(p.centroid) + q.d_m), 0.005);
+  }
+}
+
+TEST(TimeOffset, APlantedOffsetIsFound) {
+  ros::Time::init();
+  const TemporaryDirectory directory;
+  const sim::World world = sim::World::load(PROJECT_DIR "/test/ros/room.sdf", {});
+  const sim::Route route = sim::Route::load(PROJECT_DIR "/test/ros/room.route.yaml");
+  const ModelerConfig config = load_config(PROJECT_DIR "/config/pr2.yaml");
+  for (const double error_s : {0.02, 0.0}) {
+    sim::TourConfig tour_config;
+    tour_config.localisation.drift = 0.0;
+    sim::Tour tour(world, route, tour_config);
+    sim::RecorderOptions recorder;
+    recorder.longest_s = 12.0;
+    recorder.stamp_error_s = error_s;
+    const fs::path bag = directory.path() / "planted.bag";
+    sim::record_tour(tour, recorder, bag);
+    const auto found = estimate_time_offset({bag}, {}, config);
+    ASSERT_TRUE(found.has_value());
+    EXPECT_NEAR(found->offset_s, -error_s, 0.003);
+  }
+}
+
+TEST(RealRecordings, RoomScan1) {
+  const fs::path bag = real("room_scan1.bag");
+  if (bag.empty()) GTEST_SKIP() << "../shared/data/real/room_scan1.bag is not here";
+  const OfflineRun found = run(bag, "room_scan.yaml");
+  std::vector<Plane> planes = found.planes_after;
+  std::sort(planes.begin(), planes.end(),
+            [](const Plane& a, const Plane& b) { return a.area_m2 > b.area_m2; });
+  ASSERT_GE(planes.size(), 6u);  // floor, ceiling, four walls
+  EXPECT_LT(tilt_deg(planes[0]), 1.5);
+  EXPECT_LT(tilt_deg(planes[1]), 1.5);
+  EXPECT_LT(planes[0].normal.z() * planes[1].normal.z(), 0.0) << "they do not face each other";
+  EXPECT_LT(*found.summary.residual_m_median, 0.025);
+  EXPECT_LT(10 * found.summary.duplicates, planes.size());
+}
+
+TEST(RealRecordings, Room240) {
+  const fs::path bag = real("room_240.bag");
+  if (bag.empty()) GTEST_SKIP() << "../shared/data/real/room_240.bag is not here";
+  const OfflineRun found = run(bag, "urg04lx.yaml");
+  EXPECT_GE(std::count_if(found.planes_after.begin(), found.planes_after.end(),
+                          [](const Plane& plane) { return plane.area_m2 >= 0.5; }),
+            4);
+  EXPECT_LT(*found.summary.residual_m_median, 0.02);
+  EXPECT_EQ(found.summary.duplicates, 0u);
+  for (const Plane& plane : found.planes_after) {  // lines sweep about y: their normals have none
+    const Eigen::Vector3d n = plane.normal.cwiseAbs();
+    const bool is_of_a_line = n.y() < 0.1 && n.x() > 0.2 && n.z() > 0.45;
+    EXPECT_FALSE(is_of_a_line) << plane.normal.transpose();
+  }
+}
+
+}  // namespace
+}  // namespace ribbon_mapper::eval
