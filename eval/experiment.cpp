@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <chrono>
 
+#include "eval/lines.hpp"
 #include "eval/point_truth.hpp"
 #include "eval/statistics.hpp"
 #include "eval/world_outlines.hpp"
@@ -22,23 +23,6 @@ double seconds_of(const Work& work) {
   const Clock::time_point start = Clock::now();
   work();
   return std::chrono::duration<double>(Clock::now() - start).count();
-}
-
-LaserBeams beams_of(const sim::Scan& scan) {
-  return {scan.stamp,
-          scan.angle_min_rad,
-          scan.angle_increment_rad,
-          scan.time_increment_s,
-          scan.range_min_m,
-          scan.range_max_m,
-          scan.ranges_m};
-}
-
-/// What tf says on the robot: poses with the errors of its localisation.
-LinePoses noisy_poses(const sim::Tour& tour, const LaserBeams& beams) {
-  const Time first = beams.stamp, last = end_of(beams);
-  return {tour.T_odom_base(first), tour.T_odom_base(last), tour.T_base_laser(first),
-          tour.T_base_laser(last), tour.noisy_T_map_base(middle_of(beams))};
 }
 
 /// What became of the lines, and how long they took.
@@ -141,6 +125,10 @@ Results run_experiment(const sim::World& world, const sim::Route& route,
   results.summary.points = for_each_cell(results.models, [&](const std::vector<Plane>& planes) {
     return point_metrics(truth.points, modeler, planes);
   });
+  if (const auto errors = truth.points.ribbon_errors(modeler)) {
+    results.summary.ribbon_angle_deg = errors->angle_deg;
+    results.summary.ribbon_distance_m = errors->distance_m;
+  }
   return results;
 }
 

@@ -154,7 +154,10 @@ Json figures_of(const Summary& s) {
   Json metrics = to_json(result);
   metrics.erase("planes");
   json.update(metrics);
-  json.update({{"end_drift_m", s.end_drift_m}, {"end_drift_deg", s.end_drift_deg}});
+  json.update({{"ribbon_angle_deg", to_json(s.ribbon_angle_deg)},
+               {"ribbon_distance_m", to_json(s.ribbon_distance_m)},
+               {"end_drift_m", s.end_drift_m},
+               {"end_drift_deg", s.end_drift_deg}});
   return json;
 }
 
