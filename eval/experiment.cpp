@@ -39,8 +39,8 @@ bool is_dropped(LineResult result) {
 /// What the simulator knows of the world, and of each beam.
 struct Truth {
   explicit Truth(const sim::World& world) : collector(world) {}
-  void add(const sim::Scan& scan, const sim::Tour& tour) {
-    points.add(middle_of(beams_of(scan)), collector.add(scan, tour));
+  void add(const sim::Scan& scan) {
+    points.add(middle_of(beams_of(scan)), collector.add(scan));
   }
 
   sim::TruthCollector collector;
@@ -57,7 +57,7 @@ LineLog drive(sim::Tour& tour, Modeler& modeler, Truth& truth,
     log.line_s.push_back(seconds_of([&] { result = modeler.add_scan_line(beams, poses); }));
     log.total_s += log.line_s.back();
     log.dropped += is_dropped(result) ? 1 : 0;
-    truth.add(*scan, tour);
+    truth.add(*scan);
     progress({log.line_s.size(), tour.line_count(), modeler.statistics().ribbons,
               to_seconds(beams.stamp), log.total_s});
   }

@@ -31,7 +31,15 @@ int run(std::string program, std::string script, std::string argument) {
 }
 
 const char* name_of(Figure figure) {
-  return figure == Figure::before_after ? "before_after" : "dose_response";
+  switch (figure) {
+    case Figure::before_after:
+      return "before_after";
+    case Figure::dose_response:
+      return "dose_response";
+    case Figure::model_views:
+      return "model_views";
+  }
+  return "";
 }
 
 }  // namespace

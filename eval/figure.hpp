@@ -9,6 +9,7 @@ namespace ribbon_mapper::eval {
 enum class Figure {
   before_after,   ///< the planes of a run, from the files of write_results()
   dose_response,  ///< counts and F1 against drift, from the summary.json of a sweep
+  model_views,    ///< a model from above and from the side, from the files of offline_modeler
 };
 
 /// Draws <name>.svg and <name>.png from the files in `directory`, with matplotlib in a process of

@@ -14,6 +14,7 @@ void visit_keys(Config& config, Visitor& visit) {
   visit("scan.range_sigma_m", scan.range_sigma_m, 1e-4, 1.0);
   visit("scan.least_range_m", scan.least_range_m, 0.0, 100.0);
   visit("scan.most_range_m", scan.most_range_m, 0.1, 1000.0);
+  visit("scan.line_step_sigmas", scan.line_step_sigmas, 0.0, 100.0);
   visit("scan.base_line_sigmas", scan.base_line_sigmas, 0.0, 100.0);
   visit("scan.deskew", scan.deskew);
 

@@ -2,12 +2,15 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "modeler/modeler.hpp"
 
+#include <cmath>
+
 #include "modeler/map/evidence.hpp"
 #include "modeler/map/plane_builder.hpp"
 #include "modeler/map/plane_map.hpp"
 #include "modeler/map/trajectory.hpp"
 #include "modeler/ribbon/ribbon_extraction.hpp"
 #include "modeler/scan/line_buffer.hpp"
+#include "modeler/scan/line_pool.hpp"
 
 namespace ribbon_mapper {
 namespace {
@@ -22,14 +25,45 @@ const ModelerConfig& validated(const ModelerConfig& config) {
 struct Modeler::State {
   explicit State(const ModelerConfig& config_)
       : config(validated(config_)),
+        buffer(config.scan.base_line_sigmas * config.scan.range_sigma_m),
+        pool(config.scan),
         extraction(config.scan, config.ribbon),
         trajectory(config.correction),
         map(config.map, config.map.slam) {}
+
+  /// True if the incoming line, or the mean of it and the lines before it, has left the newest one.
+  bool moved_on(const ScanLine& newest, ScanLine& line, const LaserBeams& beams,
+                const LinePoses& poses) {
+    const double step_m = config.scan.line_step_sigmas * config.scan.range_sigma_m;
+    if (base_line_m(newest, line) >= step_m) return true;
+    pool.add(beams, poses);
+    if (pool.lines() < LinePool::kLeastLines) return false;
+    place_beams(pool.beams(), pool.poses(), config.scan, line);
+    line.pooled_lines = pool.lines();
+    return base_line_m(newest, line) >= step_m / std::sqrt(static_cast<double>(pool.lines()));
+  }
+
+  /// Surfels, ribbons, association.
+  void model_middle_line() {
+    const ScanLine& middle = buffer.middle();
+    const std::vector<Ribbon>& found = extraction.extract(buffer);
+    trajectory.add({middle.stamp, middle.T_map_base});
+    const auto pose = static_cast<std::uint32_t>(trajectory.poses().size() - 1);
+    strays.push_back(extraction.strays(buffer));
+    strays.back().pose = pose;
+    for (Ribbon ribbon : found) {
+      ribbon.pose = pose;
+      ribbons.push_back(std::move(ribbon));
+      const auto index = static_cast<std::uint32_t>(ribbons.size() - 1);
+      map.add(evidence().ribbon(index), index);
+    }
+  }
 
   Evidence evidence() const { return {ribbons, strays, trajectory.poses()}; }
 
   ModelerConfig config;
   LineBuffer buffer;
+  LinePool pool;
   RibbonExtraction extraction;
   std::vector<Ribbon> ribbons;
   std::vector<StrayPoints> strays;
@@ -63,25 +97,13 @@ LineResult Modeler::add_scan_line(const LaserBeams& beams, const LinePoses& pose
   place_beams(beams, poses, s.config.scan, line);
   if (line.moments(0, line.size()).weight() == 0.0) return LineResult::no_returns;
   if (const ScanLine* newest = s.buffer.newest_line()) {
-    if (line.stamp <= newest->stamp) return LineResult::out_of_order;
-    const double least_m = s.config.scan.base_line_sigmas * s.config.scan.range_sigma_m;
-    if (base_line_m(*newest, line) < least_m) return LineResult::too_close;
+    const Time last = s.pool.lines() > 0 ? s.pool.last_stamp() : newest->stamp;
+    if (line.stamp <= last) return LineResult::out_of_order;
+    if (!s.moved_on(*newest, line, beams, poses)) return LineResult::too_close;
   }
+  s.pool.clear();
   s.buffer.push();
-  if (!s.buffer.is_full()) return LineResult::modelled;
-
-  const ScanLine& middle = s.buffer.middle();
-  const std::vector<Ribbon>& ribbons = s.extraction.extract(s.buffer);
-  s.trajectory.add({middle.stamp, middle.T_map_base});
-  const auto pose = static_cast<std::uint32_t>(s.trajectory.poses().size() - 1);
-  s.strays.push_back(s.extraction.strays(s.buffer));
-  s.strays.back().pose = pose;
-  for (Ribbon ribbon : ribbons) {
-    ribbon.pose = pose;
-    s.ribbons.push_back(std::move(ribbon));
-    s.map.add(s.evidence().ribbon(s.ribbons.size() - 1),
-              static_cast<std::uint32_t>(s.ribbons.size() - 1));
-  }
+  while (s.buffer.advance()) s.model_middle_line();
   return LineResult::modelled;
 }
 

@@ -15,12 +15,13 @@ class World;
 /// From rest to rest over a length or an angle: constant acceleration, cruise, constant braking;
 /// units are metres or radians.
 struct Ramp {
-  double way = 0.0;
-  double speed = 1.0;  ///< that the way leaves time to reach
-  double acceleration = 1.0;
+  double way;
+  double speed;  ///< that the way leaves time to reach
+  double acceleration;
+  double ramp_s;  ///< until the speed is reached
+  double duration_s;
 
   Ramp(double way_, double max_speed, double acceleration_);
-  double duration_s() const;
   double way_at(double time_s) const;
   double speed_at(double time_s) const;
 };

@@ -6,9 +6,8 @@
 #include <algorithm>
 #include <cmath>
 #include <set>
-#include <unordered_map>
 
-#include "sim/tour.hpp"
+#include "sim/hit_grid.hpp"
 #include "sim/truth_patches.hpp"
 
 namespace ribbon_mapper::sim {
@@ -26,7 +25,7 @@ struct Group {
   Vector3d normal;
   double d_m;
   Vector3d u_axis, v_axis;
-  std::unordered_map<std::uint64_t, HitCell> cells;
+  HitGrid hits;
 
   Group(const Vector3d& normal_, double d) : normal(normal_), d_m(d) {
     const Vector3d level = normal.cross(Vector3d::UnitZ());
@@ -39,9 +38,7 @@ struct Group {
   int add(const Vector3d& point, int face, int next_number) {
     const auto u = static_cast<std::int32_t>(std::floor(point.dot(u_axis) / kCell_m));
     const auto v = static_cast<std::int32_t>(std::floor(point.dot(v_axis) / kCell_m));
-    const std::uint64_t key = (static_cast<std::uint64_t>(static_cast<std::uint32_t>(u)) << 32) |
-                              static_cast<std::uint32_t>(v);
-    return cells.emplace(key, HitCell{u, v, face, next_number}).first->second.number;
+    return hits.add(u, v, face, next_number);
   }
 
   Vector3d centre(const HitCell& cell) const {
@@ -49,7 +46,8 @@ struct Group {
   }
 
   bool holds(const Vector3d& other_normal, double other_d_m) const {
-    return normal.dot(other_normal) > kSameNormalCosine && std::abs(d_m - other_d_m) < kSameOffset_m;
+    return normal.dot(other_normal) > kSameNormalCosine &&
+           std::abs(d_m - other_d_m) < kSameOffset_m;
   }
 
   TruthPlane plane(const std::vector<HitCell>& patch) const {
@@ -68,9 +66,7 @@ struct Group {
   }
 
   std::vector<std::vector<HitCell>> patches() const {
-    std::vector<HitCell> hits;
-    for (const auto& [key, cell] : cells) hits.push_back(cell);
-    return linked_patches(std::move(hits), kMaxGap_m / kCell_m);
+    return linked_patches(hits.cells(), kMaxGap_m / kCell_m);
   }
 };
 
@@ -122,17 +118,13 @@ int TruthCollector::add(const Vector3d& point_map, const Vector3d& origin_map, i
   return number;
 }
 
-std::vector<int> TruthCollector::add(const Scan& scan, const Tour& tour) {
+std::vector<int> TruthCollector::add(const Scan& scan) {
   std::vector<int> numbers(scan.faces.size(), -1);
   for (std::size_t i = 0; i < scan.faces.size(); ++i) {
     if (scan.faces[i] < 0) continue;
-    const double index = static_cast<double>(i);
-    const Time time = scan.stamp + from_seconds(index * scan.time_increment_s);
-    const Pose T_map_laser = tour.true_T_map_base(time) * tour.T_base_laser(time);
-    const double angle_rad = scan.angle_min_rad + index * scan.angle_increment_rad;
-    const Vector3d beam(std::cos(angle_rad), std::sin(angle_rad), 0.0);
+    const Ray& ray = scan.rays[i];
     numbers[i] =
-        add(T_map_laser * (scan.true_ranges_m[i] * beam), T_map_laser.translation(), scan.faces[i]);
+        add(ray.origin + scan.true_ranges_m[i] * ray.direction, ray.origin, scan.faces[i]);
   }
   return numbers;
 }

@@ -12,8 +12,6 @@
 
 namespace ribbon_mapper::sim {
 
-class Tour;
-
 /// A plane of the world as far as the beams saw it: a connected patch of 5 cm cells on world faces
 /// with the same side, normal (within 0.5 degrees) and offset (within 1 cm); gaps of at most 1.0 m
 /// are bridged, patches below 0.5 m2 are no planes, curved faces neither (design: Truth).
@@ -36,9 +34,8 @@ class TruthCollector {
   /// origin tells the side: both sides of a thin wall are planes of their own. Returns the number
   /// of the cell that was hit, the same at every hit; -1 if the hit is on no planar face.
   int add(const Eigen::Vector3d& point_map, const Eigen::Vector3d& origin_map, int face);
-  /// All hits of a scan, placed by the tour's true poses at the beams' own times. Returns the number
-  /// of the cell that each beam hit.
-  std::vector<int> add(const Scan& scan, const Tour& tour);
+  /// All hits of a scan. Returns the number of the cell that each beam hit.
+  std::vector<int> add(const Scan& scan);
   /// Truth planes seen so far, largest first. A smaller `min_area_m2` shows what fell short.
   std::vector<TruthPlane> planes(double min_area_m2 = 0.5) const;
 

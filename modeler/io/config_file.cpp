@@ -6,6 +6,7 @@
 
 #include <array>
 #include <charconv>
+#include <ios>
 #include <map>
 #include <sstream>
 #include <stdexcept>
@@ -116,6 +117,8 @@ ModelerConfig load_config(const std::string& path) {
     return read(path);
   } catch (const YAML::BadFile&) {
     throw std::invalid_argument(path + ": cannot be read: is there such a file?");
+  } catch (const std::ios_base::failure& error) {  // a folder, for instance
+    throw std::invalid_argument(path + ": cannot be read: " + error.what());
   } catch (const YAML::Exception& error) {
     throw std::invalid_argument(path + ": " + error.what());
   } catch (const std::invalid_argument& error) {

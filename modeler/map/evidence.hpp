@@ -24,13 +24,11 @@ class Evidence {
     return T_map_world().inverse(Eigen::Isometry) * (*poses_)[pose].T_map_base;
   }
 
+  std::size_t ribbon_count() const { return ribbons_->size(); }
   PosedRibbon ribbon(std::size_t index) const {
     const Ribbon& ribbon = (*ribbons_)[index];
     return {ribbon, T_world_base(ribbon.pose)};
   }
-
-  std::size_t ribbons() const { return ribbons_->size(); }
-  const Ribbon& source(std::size_t index) const { return (*ribbons_)[index]; }
 
   std::size_t stray_lines() const { return strays_->size(); }
   const StrayPoints& strays(std::size_t line) const { return (*strays_)[line]; }

@@ -76,8 +76,44 @@ class StrayTaker {
     }
   }
 
-  /// The nearest of those that face the sensor; none if all are too far.
-  Surface* surface_of(const Eigen::Vector3d& point, const Eigen::Vector3d& sensor) {
+  void give(const StrayPoints& strays, const Pose& T_world_base) {
+    const Eigen::Vector3d sensor = T_world_base * strays.sensor.cast<double>();
+    const auto faces = [&](const Plane& plane) {
+      return plane.normal.dot(sensor) + plane.d_m > 0.0;
+    };
+    for (const RibbonSample& sample : strays.samples) give(sample, T_world_base, faces);
+  }
+
+  /// The surface that most of the points were given to owns the ribbon.
+  void give(const PosedRibbon& ribbon, std::uint32_t index) {
+    const auto faces = [&](const Plane& plane) {
+      return plane.normal.dot(ribbon.normal) > least_cosine_of_side;
+    };
+    std::uint32_t all = 0;
+    given_.clear();
+    for (const RibbonSample& sample : ribbon.ribbon->samples) {
+      all += sample.count;
+      if (Surface* surface = give(sample, ribbon.T_world_base, faces)) {
+        given_[surface] += sample.count;
+      }
+    }
+    for (const auto& [surface, count] : given_) {
+      if (2 * count > all) surface->own(index);
+    }
+  }
+
+ private:
+  template <typename Faces>
+  Surface* give(const RibbonSample& sample, const Pose& T_world_base, const Faces& faces) {
+    const Eigen::Vector3d point = T_world_base * sample.point.cast<double>();
+    Surface* surface = surface_of(point, faces);
+    if (surface) surface->add(point, sample.count);
+    return surface;
+  }
+
+  /// The nearest of those that face the way that the point was seen from; none if all are too far.
+  template <typename Faces>
+  Surface* surface_of(const Eigen::Vector3d& point, const Faces& faces) {
     const VoxelKey key = index_.key_of(point);
     if (keys_.empty() || keys_[0] != key) keys_.assign(1, key), index_.near(keys_, near_);
     Surface* nearest = nullptr;
@@ -85,54 +121,29 @@ class StrayTaker {
     for (const std::uint32_t slot : near_) {
       const Plane& plane = surfaces_[slot].plane();
       const double distance = std::abs(plane.normal.dot(point) + plane.d_m);
-      if (distance > least_m || plane.normal.dot(sensor) + plane.d_m <= 0.0) continue;
+      if (distance > least_m || !faces(plane)) continue;
       if (!footprints_[slot].holds(point, on_plane_m_)) continue;
       nearest = &surfaces_[slot], least_m = distance;
     }
     return nearest;
   }
 
- private:
   double on_plane_m_;
   std::vector<Surface>& surfaces_;
   VoxelIndex index_;
   std::vector<Footprint> footprints_;
   std::vector<VoxelKey> keys_;      // of the last point
   std::vector<std::uint32_t> near_;  // surfaces near it
+  std::map<Surface*, std::uint32_t> given_;  // points of one ribbon
 };
 
-/// Which ribbons belong to a surface.
-std::vector<bool> owned_ribbons(const Evidence& evidence, const std::vector<Surface>& surfaces) {
-  std::vector<bool> owned(evidence.ribbons(), false);
+/// Of each ribbon, whether it belongs to a surface.
+std::vector<bool> owned_ribbons(const std::vector<Surface>& surfaces, std::size_t count) {
+  std::vector<bool> owned(count, false);
   for (const Surface& surface : surfaces) {
     for (const std::uint32_t ribbon : surface.plane().ribbons) owned[ribbon] = true;
   }
   return owned;
-}
-
-/// A ribbon whose normal was spoilt, by an edge or a short base line, has joined no plane; most of
-/// its points may lie on one all the same.
-void take_lost_ribbons(const Evidence& evidence, StrayTaker& taker,
-                       std::vector<Surface>& surfaces) {
-  const std::vector<bool> owned = owned_ribbons(evidence, surfaces);
-  std::map<Surface*, std::uint32_t> points;
-  for (std::uint32_t index = 0; index < owned.size(); ++index) {
-    if (owned[index]) continue;
-    const Ribbon& ribbon = evidence.source(index);
-    const Pose T_world_base = evidence.T_world_base(ribbon.pose);
-    const Eigen::Vector3d sensor =
-        T_world_base * evidence.strays(ribbon.pose).sensor.cast<double>();
-    std::uint32_t all = 0;
-    points.clear();
-    for (const RibbonSample& sample : ribbon.samples) {
-      const Eigen::Vector3d point = T_world_base * sample.point.cast<double>();
-      all += sample.count;
-      if (Surface* surface = taker.surface_of(point, sensor)) points[surface] += sample.count;
-    }
-    for (const auto& [surface, count] : points) {
-      if (2 * count > all) surface->take(index, ribbon, T_world_base);
-    }
-  }
 }
 
 }  // namespace
@@ -142,13 +153,6 @@ Surface::Surface(const Hypothesis& hypothesis, const Evidence& evidence,
     : plane_(frame_of(hypothesis, config)), grid_(plane_) {
   for (const Member& member : hypothesis.members()) grid_.add(evidence.ribbon(member.ribbon));
   refresh();
-}
-
-void Surface::take(std::uint32_t index, const Ribbon& ribbon, const Pose& T_world_base) {
-  for (const RibbonSample& sample : ribbon.samples) {
-    grid_.add(T_world_base * sample.point.cast<double>(), sample.count);
-  }
-  plane_.ribbons.push_back(index);
 }
 
 void Surface::refresh() {
@@ -165,14 +169,12 @@ void take_strays(const Evidence& evidence, const PlaneMapConfig& config,
   StrayTaker taker(config, surfaces);
   for (std::size_t line = 0; line < evidence.stray_lines(); ++line) {
     const StrayPoints& strays = evidence.strays(line);
-    const Pose T_world_base = evidence.T_world_base(strays.pose);
-    const Eigen::Vector3d sensor = T_world_base * strays.sensor.cast<double>();
-    for (const RibbonSample& sample : strays.samples) {
-      const Eigen::Vector3d point = T_world_base * sample.point.cast<double>();
-      if (Surface* surface = taker.surface_of(point, sensor)) surface->add(point, sample.count);
-    }
+    taker.give(strays, evidence.T_world_base(strays.pose));
   }
-  take_lost_ribbons(evidence, taker, surfaces);
+  const std::vector<bool> owned = owned_ribbons(surfaces, evidence.ribbon_count());
+  for (std::uint32_t i = 0; i < owned.size(); ++i) {
+    if (!owned[i]) taker.give(evidence.ribbon(i), i);
+  }
   for (Surface& surface : surfaces) surface.refresh();
 }
 

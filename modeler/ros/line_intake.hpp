@@ -21,18 +21,37 @@ struct ReadyLine {
   LinePoses poses;
 };
 
+/// When something happened, by the clock of the data and by that on the wall. In a bag that is read
+/// as fast as it goes, both are the time of the recording.
+struct Moment {
+  ros::Time data;
+  ros::WallTime wall;
+
+  static Moment now() { return {ros::Time::now(), ros::WallTime::now()}; }
+  static Moment recorded(const ros::Time& time) { return {time, ros::WallTime(time.sec, time.nsec)}; }
+};
+
+struct IntakeOptions {
+  Frames frames;
+  double transform_timeout_s = 2.0;
+  /// Added to every scan's stamp: laser drivers are off by a constant of up to 25 ms.
+  double scan_time_offset_s = 0.0;
+};
+
 /// Keeps scans until tf knows where they were taken. Never waits: ask again later. A line whose
-/// transforms do not come within the timeout is dropped, counted in the log by reason, and reported
-/// with the missing frame's name.
+/// transforms do not come within the timeout is dropped, and counted in the log by reason, with the
+/// missing frame's name.
 class LineIntake {
  public:
-  LineIntake(const Frames& frames, double transform_timeout_s, LineLog& log)
-      : frames_(frames), timeout_s_(transform_timeout_s), log_(log) {}
+  LineIntake(const IntakeOptions& options, LineLog& log) : options_(options), log_(log) {}
 
-  void add(const sensor_msgs::LaserScan& scan);
+  void add(const sensor_msgs::LaserScan& scan, const Moment& now);
 
   /// The oldest line, once its poses are known.
-  std::optional<ReadyLine> next(const tf2::BufferCore& tf);
+  std::optional<ReadyLine> next(const tf2::BufferCore& tf, const Moment& now);
+
+  /// As next(), when nothing more can come: lines that lack a transform are dropped.
+  std::optional<ReadyLine> last(const tf2::BufferCore& tf);
 
   /// Forgets waiting lines and what time it was.
   void restart(const std::string& reason);
@@ -46,14 +65,14 @@ class LineIntake {
     std::optional<std::string> defect;
     LaserBeams beams;
     std::string frame;
-    ros::Time arrived;
-    ros::WallTime arrived_wall;
+    Moment arrived;
   };
-  bool expired(const WaitingLine& line) const;
+  template <typename GivesUp>
+  std::optional<ReadyLine> take(const tf2::BufferCore& tf, const GivesUp& gives_up);
+  bool expired(const WaitingLine& line, const Moment& now) const;
   void drop_front(const std::string& reason, const std::string& detail);
 
-  Frames frames_;
-  double timeout_s_;
+  IntakeOptions options_;
   LineLog& log_;
   std::deque<WaitingLine> waiting_;
   std::string waits_for_;

@@ -8,6 +8,7 @@
 
 #include "modeler/io/config_file.hpp"
 #include "modeler/ros/clock_guard.hpp"
+#include "modeler/ros/input_watch.hpp"
 #include "modeler/ros/line_intake.hpp"
 #include "modeler/ros/message_conversions.hpp"
 #include "modeler/ros/model_publisher.hpp"
@@ -15,28 +16,33 @@
 #include "modeler/ros/modeler_diagnostics.hpp"
 #include "modeler/ros/strict_parameters.hpp"
 #include "modeler/ros/tf_feed.hpp"
+#include "modeler/ros/time_jump.hpp"
+#include "modeler/ros/transform_entry.hpp"
 
 namespace ribbon_mapper {
 namespace {
 
 struct NodeParameters {
   ModelerConfig config;
-  Frames frames;
-  double transform_timeout_s;
+  IntakeOptions intake;
   double tf_cache_s;
-  bool reset_on_restart;
+  std::set<std::string> tf_drop_frames;
+  OnTimeJump on_time_jump;
   std::filesystem::path output_dir;
 
   static NodeParameters read() {
     StrictParameters from;
     NodeParameters p;
     const std::string config = from.required_text("config", "a YAML file, such as config/pr2.yaml");
-    p.frames.map = from.text("map_frame", p.frames.map);
-    p.frames.odom = from.text("odom_frame", p.frames.odom);
-    p.frames.base = from.text("base_frame", p.frames.base);
-    p.transform_timeout_s = from.number("transform_timeout", 2.0, 0.1, 60.0);
+    Frames& frames = p.intake.frames;
+    frames.map = without_slash(from.text("map_frame", frames.map));
+    frames.odom = without_slash(from.text("odom_frame", frames.odom));
+    frames.base = without_slash(from.text("base_frame", frames.base));
+    p.intake.transform_timeout_s = from.number("transform_timeout", 2.0, 0.1, 60.0);
+    p.intake.scan_time_offset_s = from.number("scan_time_offset", 0.0, -1.0, 1.0);
     p.tf_cache_s = from.number("tf_cache", 120.0, 10.0, 3600.0);
-    p.reset_on_restart = from.flag("reset_on_restart", true);
+    p.tf_drop_frames = frames_from(from.text("tf_drop_frames", ""));
+    p.on_time_jump = on_time_jump_from(from.text("on_time_jump", "reset"));
     p.output_dir = std::filesystem::absolute(from.text("output_dir", "models"));
     from.refuse_unknown();
     p.config = load_config(config);
@@ -57,7 +63,7 @@ class ModelerNode {
   bool on_get_model(GetModel::Request& request, GetModel::Response& response);
   void take_lines();
   void report();
-  void start_anew(const std::string& why);
+  void on_time_jump();
 
   NodeParameters parameters_;
   ros::NodeHandle node_, private_node_{"~"};
@@ -70,16 +76,19 @@ class ModelerNode {
   ros::ServiceServer reset_, save_, get_model_;
   ros::Subscriber corrected_trajectory_, scan_;
   ros::WallTimer line_timer_, report_timer_;
-  std::size_t reports_ = 0, reported_lines_ = 0;
+  InputWatch watch_;
+  bool stopped_ = false;  ///< by a time jump, until ~reset
+  std::size_t reports_ = 0, reported_lines_ = 0, reported_drops_ = 0;
 };
 
 ModelerNode::ModelerNode(const NodeParameters& parameters)
     : parameters_(parameters),
       keeper_(parameters.config),
-      intake_(parameters.frames, parameters.transform_timeout_s, keeper_.log()),
-      tf_(node_, parameters.tf_cache_s),
-      publisher_(private_node_, parameters.frames.map),
-      diagnostics_(keeper_, intake_, node_.resolveName("scan")) {
+      intake_(parameters.intake, keeper_.log()),
+      tf_(node_, parameters.tf_cache_s, parameters.tf_drop_frames),
+      publisher_(private_node_, parameters.intake.frames.map),
+      diagnostics_(keeper_, intake_, node_.resolveName("scan")),
+      watch_(node_.resolveName("scan")) {
   reset_ = private_node_.advertiseService("reset", &ModelerNode::on_reset, this);
   save_ = private_node_.advertiseService("save", &ModelerNode::on_save, this);
   get_model_ = private_node_.advertiseService("get_model", &ModelerNode::on_get_model, this);
@@ -94,20 +103,27 @@ ModelerNode::ModelerNode(const NodeParameters& parameters)
 }
 
 void ModelerNode::on_scan(const sensor_msgs::LaserScan& scan) {
-  if (clock_.went_back()) start_anew("the clock was set back");
-  intake_.add(scan);
+  if (clock_.went_back()) on_time_jump();
+  watch_.saw(scan);
+  if (stopped_) return;
+  intake_.add(scan, Moment::now());
   take_lines();
 }
 
 void ModelerNode::take_lines() {
-  if (clock_.went_back()) start_anew("the clock was set back");
-  while (const std::optional<ReadyLine> line = intake_.next(tf_.buffer())) keeper_.add(*line);
+  if (clock_.went_back()) on_time_jump();
+  const Moment now = Moment::now();
+  while (const std::optional<ReadyLine> line = intake_.next(tf_.buffer(), now)) keeper_.add(*line);
+  const LineLog& log = keeper_.log();
+  if (std::exchange(reported_drops_, log.dropped_lines()) == log.dropped_lines()) return;
+  ROS_WARN_THROTTLE(5.0, "A line is dropped: %s. %zu dropped so far.", log.newest_drop().c_str(),
+                    log.dropped_lines());
 }
 
 void ModelerNode::on_corrected_trajectory(const nav_msgs::Path& path) {
   take_lines();
   try {
-    keeper_.correct(trajectory_of(path, parameters_.frames.map));
+    keeper_.correct(trajectory_of(path, parameters_.intake.frames.map));
   } catch (const std::invalid_argument& error) {
     ROS_ERROR("Corrected trajectory of %zu poses refused: %s. The model stays as it was.",
               path.poses.size(), error.what());
@@ -122,6 +138,7 @@ void ModelerNode::on_corrected_trajectory(const nav_msgs::Path& path) {
 bool ModelerNode::on_reset(std_srvs::Trigger::Request&, std_srvs::Trigger::Response& response) {
   intake_.restart("reset");
   keeper_.reset();
+  stopped_ = false;
   response.success = true;
   response.message = "the model is empty";
   return true;
@@ -135,18 +152,16 @@ bool ModelerNode::on_save(Save::Request& request, Save::Response& response) {
 
 bool ModelerNode::on_get_model(GetModel::Request& request, GetModel::Response& response) {
   take_lines();
-  response = model_response(request, keeper_, parameters_.frames.map);
+  response = model_response(request, keeper_, parameters_.intake.frames.map);
   return true;
 }
 
 /// A bag or a simulation was started again: lines of before and after do not fit one trajectory.
-void ModelerNode::start_anew(const std::string& why) {
-  intake_.restart(why);
-  if (parameters_.reset_on_restart) keeper_.reset();
-  ROS_WARN("Simulated time went back: %s.",
-           parameters_.reset_on_restart
-               ? "the model starts anew (keep it with ~reset_on_restart false)"
-               : "the model stays; lines older than its newest one are dropped until ~reset");
+void ModelerNode::on_time_jump() {
+  intake_.restart("the clock was set back");
+  if (parameters_.on_time_jump == OnTimeJump::reset) keeper_.reset();
+  stopped_ = parameters_.on_time_jump == OnTimeJump::stop;
+  ROS_WARN("Simulated time went back: %s", what_happens_on(parameters_.on_time_jump));
 }
 
 void ModelerNode::report() {
@@ -154,8 +169,9 @@ void ModelerNode::report() {
   diagnostics_.publish();
   const ModelStatistics statistics = keeper_.modeler().statistics();
   if (++reports_ % 5 != 0) return;  // counted, not throttled: simulated time may stand still
-  if (keeper_.log().lines() == 0) {
-    ROS_INFO("Waiting for scans on %s", scan_.getTopic().c_str());
+  const std::string complaint = watch_.complaint(intake_, tf_.transforms());
+  if (!complaint.empty()) {
+    ROS_WARN("%s", complaint.c_str());
   } else if (std::exchange(reported_lines_, keeper_.log().lines()) != keeper_.log().lines()) {
     ROS_INFO("%zu lines (%zu dropped), %zu ribbons, %zu planes, %.0f times real time",
              keeper_.log().lines(), keeper_.log().dropped_lines(), statistics.ribbons,

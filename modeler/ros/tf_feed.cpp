@@ -3,11 +3,15 @@
 #include "modeler/ros/tf_feed.hpp"
 
 #include <ros/console.h>
-#include <tf2/exceptions.h>
+
+#include <utility>
+
+#include "modeler/ros/transform_entry.hpp"
 
 namespace ribbon_mapper {
 
-TfFeed::TfFeed(ros::NodeHandle& node, double cache_s) : buffer_(ros::Duration(cache_s)) {
+TfFeed::TfFeed(ros::NodeHandle& node, double cache_s, std::set<std::string> drop_frames)
+    : buffer_(ros::Duration(cache_s)), drop_frames_(std::move(drop_frames)) {
   const auto no_delay = ros::TransportHints().tcpNoDelay();
   const boost::function<void(const tf2_msgs::TFMessage&)> take_moving =
       [this](const tf2_msgs::TFMessage& message) { take(message, false); };
@@ -20,13 +24,9 @@ TfFeed::TfFeed(ros::NodeHandle& node, double cache_s) : buffer_(ros::Duration(ca
 void TfFeed::take(const tf2_msgs::TFMessage& message, bool is_static) {
   // tf2 refuses what is older than its newest data less the cache, so a new start needs it empty.
   if (clock_.went_back()) buffer_.clear();
-  for (const geometry_msgs::TransformStamped& transform : message.transforms) {
-    try {
-      buffer_.setTransform(transform, "tf", is_static);
-    } catch (const tf2::TransformException& error) {
-      ROS_WARN_THROTTLE(10.0, "A transform on /tf is left out: %s", error.what());
-    }
-  }
+  transforms_ += message.transforms.size();
+  const std::size_t refused = enter_transforms(message, is_static, drop_frames_, buffer_);
+  if (refused > 0) ROS_WARN_THROTTLE(10.0, "%zu transforms on /tf are not usable.", refused);
 }
 
 }  // namespace ribbon_mapper

@@ -7,6 +7,9 @@
 #include <tf2/buffer_core.h>
 #include <tf2_msgs/TFMessage.h>
 
+#include <set>
+#include <string>
+
 #include "modeler/ros/clock_guard.hpp"
 
 namespace ribbon_mapper {
@@ -16,14 +19,18 @@ namespace ribbon_mapper {
 /// arrival, and its queue outlasts a correction that takes seconds, even at several times real time.
 class TfFeed {
  public:
-  TfFeed(ros::NodeHandle& node, double cache_s);
+  /// Transforms whose parent is one of `drop_frames` are left out, see enter_transforms().
+  TfFeed(ros::NodeHandle& node, double cache_s, std::set<std::string> drop_frames);
 
   const tf2::BufferCore& buffer() const { return buffer_; }
+  std::size_t transforms() const { return transforms_; }  ///< that came in
 
  private:
   void take(const tf2_msgs::TFMessage& message, bool is_static);
 
   tf2::BufferCore buffer_;
+  std::set<std::string> drop_frames_;
+  std::size_t transforms_ = 0;
   ClockGuard clock_;
   ros::Subscriber moving_, fixed_;
 };

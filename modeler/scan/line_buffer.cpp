@@ -18,13 +18,38 @@ Eigen::Vector3d across(const ScanLine& line, std::size_t beam) {
 }  // namespace
 
 void LineBuffer::push() {
-  const std::size_t incoming = (newest_ + 1) % 4;
-  if (count_ > 0 && lines_[incoming].size() != lines_[newest_].size()) count_ = 0;
+  const std::size_t incoming = (newest_ + 1) % kSlots;
+  if (count_ > 0 && lines_[incoming].size() != lines_[newest_].size()) clear();
   newest_ = incoming;
-  count_ = std::min<std::size_t>(count_ + 1, 3);
+  if (count_ < kSlots - 1) {
+    ++count_;
+  } else if (done_ > 0) {
+    --done_;  // the oldest is overwritten by the next incoming line
+  }
 }
 
-void LineBuffer::clear() { count_ = 0; }
+bool LineBuffer::advance() {
+  for (; done_ + 1 < count_; ++done_) {
+    const std::size_t age = count_ - 1 - done_;
+    const ScanLine& line = lines_[slot(age)];
+    std::size_t before = age + 1, after = age;
+    while (before < count_ && !are_apart(lines_[slot(before)], line)) ++before;
+    if (before == count_) continue;  // among the first lines, or where the tilt turns round
+    do {
+      if (after-- == 0) return false;
+    } while (!are_apart(line, lines_[slot(after)]));
+    previous_ = slot(before), middle_ = slot(age), next_ = slot(after);
+    ++done_;
+    return true;
+  }
+  return false;
+}
+
+/// A pooled line has less noise.
+bool LineBuffer::are_apart(const ScanLine& before, const ScanLine& line) const {
+  const auto pooled = static_cast<double>(std::min(before.pooled_lines, line.pooled_lines));
+  return ribbon_mapper::base_line_m(before, line) >= base_line_m_ / std::sqrt(pooled);
+}
 
 double base_line_m(const ScanLine& before, const ScanLine& line) {
   if (before.size() != line.size() || line.size() < 2) return std::numeric_limits<double>::infinity();

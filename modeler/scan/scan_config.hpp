@@ -15,7 +15,13 @@ struct ScanConfig {
   double most_range_m = 30.0;
 
   /// A line enters the buffer when its beams lie this many range_sigma_m from those of the line
-  /// before it (median over the beams): below, a normal across the lines is noise.
+  /// before it (median over the beams). Lines closer than that are pooled: the mean of n of them
+  /// has a sigma smaller by the root of n.
+  double line_step_sigmas = 1.0;
+
+  /// The lines before and after a line that its normals are taken with lie at least this many
+  /// range_sigma_m away: below, a normal across the lines is noise. For a laser whose lines lie far
+  /// closer together than its noise: 3, with steps of 1.
   double base_line_sigmas = 1.0;
 
   /// False: all beams of a line are placed at the pose of its middle (to measure what

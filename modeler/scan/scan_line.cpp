@@ -38,11 +38,6 @@ class LaserMotion {
   Eigen::Matrix<double, 3, 2> first_order_, second_order_;
 };
 
-bool is_return(float range_m, const LaserBeams& beams, const ScanConfig& config) {
-  return std::isfinite(range_m) && range_m >= std::max(beams.range_min_m, config.least_range_m) &&
-         range_m <= std::min(beams.range_max_m, config.most_range_m);
-}
-
 void resize(ScanLine& line, std::size_t size) {
   line.ranges_m.assign(size, 0.0F);
   line.origins.resize(size);
@@ -78,6 +73,11 @@ void find_segments(ScanLine& line, const ScanConfig& config) {
 
 }  // namespace
 
+bool is_return(float range_m, const LaserBeams& beams, const ScanConfig& config) {
+  return std::isfinite(range_m) && range_m >= std::max(beams.range_min_m, config.least_range_m) &&
+         range_m <= std::min(beams.range_max_m, config.most_range_m);
+}
+
 std::optional<std::string> defect_of(const LaserBeams& beams, const LinePoses& poses) {
   if (!std::isfinite(beams.angle_min_rad) || !std::isfinite(beams.angle_increment_rad) ||
       beams.angle_increment_rad == 0.0) {
@@ -105,6 +105,7 @@ void place_beams(const LaserBeams& beams, const LinePoses& poses, const ScanConf
   line.T_map_base = poses.T_map_base;
   line.T_odom_base = interpolate(poses.T_odom_base_first, poses.T_odom_base_last, 0.5);
   line.angle_increment_rad = beams.angle_increment_rad;
+  line.pooled_lines = 1;
   const std::size_t size = beams.ranges_m.size();
   resize(line, size);
   const double step = size > 1 ? 1.0 / (size - 1.0) : 0.0;

@@ -22,6 +22,7 @@ struct ScanLine {
   Pose T_map_base = Pose::Identity();   ///< acquisition pose
   Pose T_odom_base = Pose::Identity();  ///< at the same time
   double angle_increment_rad = 0.0;
+  std::size_t pooled_lines = 1;  ///< that this one is the mean of
   std::vector<float> ranges_m;           ///< 0: no return
   std::vector<Eigen::Vector3d> origins;  ///< of each beam, odom
   std::vector<Eigen::Vector3d> directions;  ///< of each beam, odom, unit length
@@ -35,6 +36,9 @@ struct ScanLine {
   /// Moments of the returns among beams [begin, end).
   Moments moments(std::size_t begin, std::size_t end) const { return before[end] - before[begin]; }
 };
+
+/// True if a range is one: finite, within what the driver says, within what the preset allows.
+bool is_return(float range_m, const LaserBeams& beams, const ScanConfig& config);
 
 /// What is wrong with the beams or the poses of a line; nothing if they are usable.
 std::optional<std::string> defect_of(const LaserBeams& beams, const LinePoses& poses);

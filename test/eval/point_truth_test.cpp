@@ -24,7 +24,7 @@ struct RoomTour {
       const LaserBeams beams = beams_of(*scan);
       const Time middle = middle_of(beams);
       modeler.add_scan_line(beams, noisy_poses(tour, beams));
-      truth.add(middle, collector.add(*scan, tour));
+      truth.add(middle, collector.add(*scan));
       faces[middle] = scan->faces;
     }
     true_planes = collector.planes();

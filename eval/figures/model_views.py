@@ -1,0 +1,172 @@
+# SPDX-FileCopyrightText: 2026 ribbon_mapper authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""A model seen from above and from the side, to scale: the cells that were seen of each plane, and
+the outlines of the planes.
+
+Usage: python3 model_views.py DIRECTORY [FILE.png]
+
+Reads planes_after.json, planes_after_cells.ply and summary.json from DIRECTORY, as offline_modeler
+writes them, and writes model_views.png there, or FILE.png.
+"""
+
+import json
+import os
+import pathlib
+import sys
+
+try:
+    import matplotlib
+    import numpy
+except ImportError:
+    sys.exit("model_views.py: matplotlib is missing: sudo apt install python3-matplotlib")
+
+matplotlib.use("Agg")
+import matplotlib.pyplot as plt  # noqa: E402 (needs the backend)
+from matplotlib.collections import LineCollection, PolyCollection  # noqa: E402
+
+WIDTH_IN = 8.0
+TITLE_IN, GAP_IN = 0.75, 0.35
+MARGIN_M = 0.3
+LABELLED_M2 = 1.0  # planes at least this large are named
+LEVEL_NORMAL_Z = 0.5
+CEILING_NORMAL_Z = -0.5  # seen from below: from above only its outline is drawn
+
+plt.rcParams.update({"font.size": 8})
+
+
+def load_json(path):
+    return json.loads(path.read_text(encoding="utf-8"))
+
+
+def load_cells(path):
+    """Points [m] and colours (0..1) of a PLY cloud, binary or ASCII."""
+    data = path.read_bytes()
+    header, body = data.split(b"end_header\n", 1)
+    lines = header.decode("ascii").splitlines()
+    count = int(next(line.split()[2] for line in lines if line.startswith("element vertex")))
+    kinds = {"float": "<f4", "double": "<f8", "uchar": "u1", "uint": "<u4", "int": "<i4"}
+    fields = [line.split()[1:] for line in lines if line.startswith("property")]
+    kind = numpy.dtype([(name, kinds[type_]) for type_, name in fields])
+    if any("ascii" in line for line in lines):
+        rows = numpy.array([line.split() for line in body.decode("ascii").splitlines()[:count]], float)
+        table = {name: rows[:, i] for i, (_, name) in enumerate(fields)}
+    else:
+        table = numpy.frombuffer(body, kind, count)
+    points = numpy.stack([table[axis] for axis in "xyz"], axis=1)
+    colours = numpy.stack([table[c] for c in ("red", "green", "blue")], axis=1) / 255.0
+    return points, colours, table["plane_id"].astype(int)
+
+
+def views_of(points):
+    """Title, axis to the right, axis upwards of each view; the longer horizontal axis to the right."""
+    extent = numpy.ptp(points, axis=0)
+    right, other = (0, 1) if extent[0] >= extent[1] else (1, 0)
+    return [("from above", right, other), ("from the side", right, 2)]
+
+
+def draw_cells(axes, places, colours, side_m):
+    """Squares of that side; side 0: dots."""
+    if side_m == 0.0:
+        axes.scatter(*places.T, s=1.0, c=colours, linewidths=0, zorder=3, rasterized=True)
+        return
+    squares = [[(x - dx, y - dy), (x + dx, y - dy), (x + dx, y + dy), (x - dx, y + dy)]
+               for x, y in places for dx, dy in [(0.5 * side_m, 0.5 * side_m)]]
+    axes.add_collection(PolyCollection(squares, facecolors=colours, alpha=0.45, linewidths=0,
+                                       zorder=2, rasterized=True))
+
+
+def draw_plane(axes, view, plane, points, colours):
+    """What faces the eye as its cells, what is seen edge-on as dots; a ceiling as an outline."""
+    _, right, up = view
+    depth = ({0, 1, 2} - {right, up}).pop()
+    faces = abs(plane["normal"][depth]) > LEVEL_NORMAL_Z
+    is_lid = depth == 2 and plane["normal"][2] < CEILING_NORMAL_Z
+    outline = [(p[right], p[up]) for p in plane["outline"] + plane["outline"][:1]]
+    axes.add_collection(LineCollection([outline], colors=[colours[0] if is_lid else "black"],
+                                       linewidths=0.8 if is_lid else 0.4, zorder=4,
+                                       linestyles="dashed" if is_lid else "solid"))
+    if not is_lid:
+        side_m = (plane["area"] / len(points)) ** 0.5 if faces else 0.0
+        draw_cells(axes, points[:, [right, up]], colours, side_m)
+
+
+def label(axes, view, plane, colour):
+    x, y = (plane["centroid"][axis] for axis in view[1:])
+    is_lid = view[2] != 2 and plane["normal"][2] < CEILING_NORMAL_Z
+    axes.annotate(f"{'ceiling ' if is_lid else ''}{plane['area']:.1f} m²", (x, y),
+                  (0, 8 if is_lid else 0), textcoords="offset points", ha="center", va="center",
+                  fontsize=6, color=0.6 * colour, zorder=5,
+                  bbox={"boxstyle": "round,pad=0.1", "fc": "white", "lw": 0, "alpha": 0.7})
+
+
+def draw_view(axes, view, planes, cells):
+    points, colours, ids = cells
+    for plane in sorted(planes, key=lambda p: -p["area"]):
+        mine = ids == plane["id"]
+        draw_plane(axes, view, plane, points[mine], colours[mine])
+        if plane["area"] >= LABELLED_M2 or len(planes) <= 8:
+            label(axes, view, plane, colours[mine][0])
+
+
+def limits(points, axis):
+    return points[:, axis].min() - MARGIN_M, points[:, axis].max() + MARGIN_M
+
+
+def title_of(summary):
+    residual = summary["residual_m_median"]
+    text = f"{summary['planes']} planes, {summary['duplicates']} duplicates"
+    if residual is not None:
+        text += f", median residual {1000 * residual:.1f} mm"
+    return (", ".join(summary["bags"]) + f": {text}",
+            f"{summary['lines']} lines, {summary['ribbons']} ribbons, {summary['points']} points; "
+            f"preset {summary['config']}; poses: {summary['trajectory']}")
+
+
+def draw(directory):
+    planes = load_json(directory / "planes_after.json")["planes"]
+    cells = load_cells(directory / "planes_after_cells.ply")
+    points = cells[0]
+    if not len(points):
+        sys.exit("model_views.py: the model has no planes")
+    views = views_of(points)
+    width_m = numpy.ptp(limits(points, views[0][1]))
+    heights_in = [WIDTH_IN * 0.88 * numpy.ptp(limits(points, up)) / width_m for _, _, up in views]
+    height = sum(heights_in) + TITLE_IN + 2.5 * GAP_IN
+    figure = plt.figure(figsize=(WIDTH_IN, height))
+    top = height - TITLE_IN
+    for view, height_in in zip(views, heights_in):
+        axes = figure.add_axes([0.08, (top - height_in) / height, 0.88, height_in / height])
+        draw_view(axes, view, planes, cells)
+        axes.set(xlim=limits(points, view[1]), ylim=limits(points, view[2]), aspect="equal")
+        axes.set_ylabel(f"{view[0]}: {'xyz'[view[2]]} [m]")
+        top -= height_in + GAP_IN
+    axes.set_xlabel(f"{'xyz'[views[0][1]]} [m]")
+    title, text = title_of(load_json(directory / "summary.json"))
+    figure.text(0.5, 1.0 - 0.25 / height, title, ha="center", fontsize=10, fontweight="bold")
+    figure.text(0.5, 1.0 - 0.48 / height, text, ha="center")
+    return figure
+
+
+def save(figure, path):
+    """The old file stays until the new one is whole."""
+    temporary = path.with_name(f".{path.name}.tmp")
+    try:
+        figure.savefig(temporary, format="png", dpi=150)
+        os.replace(temporary, path)
+    finally:
+        temporary.unlink(missing_ok=True)
+
+
+def main():
+    if len(sys.argv) not in (2, 3):
+        sys.exit("usage: model_views.py DIRECTORY [FILE.png]")
+    directory = pathlib.Path(sys.argv[1])
+    try:
+        save(draw(directory), pathlib.Path(sys.argv[2]) if len(sys.argv) == 3
+             else directory / "model_views.png")
+    except (OSError, ValueError, KeyError) as error:
+        sys.exit(f"model_views.py: {error!r}")
+
+
+if __name__ == "__main__":
+    main()

@@ -1,0 +1,27 @@
+// SPDX-FileCopyrightText: 2026 ribbon_mapper authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <cmath>
+#include <cstdio>
+#include <string>
+
+namespace ribbon_mapper {
+
+// Figures in the sentences of a report.
+
+inline std::string number(double value, int decimals) {
+  char text[64];
+  std::snprintf(text, sizeof text, "%.*f", decimals, value);
+  return text;
+}
+
+inline std::string degrees(double angle_rad, int decimals = 1) {
+  return number(angle_rad * 180.0 / M_PI, decimals);
+}
+
+inline std::string counted(std::size_t count, const std::string& thing) {
+  return std::to_string(count) + " " + thing + (count == 1 ? "" : "s");
+}
+
+}  // namespace ribbon_mapper
