@@ -4,6 +4,8 @@
 
 #include <iomanip>
 #include <nlohmann/json.hpp>
+
+#include "eval/version.hpp"
 #include <sstream>
 
 namespace ribbon_mapper::eval {
@@ -41,7 +43,7 @@ std::string summary_to_json(const OfflineSummary& s) {
       {"wall_s", s.wall_s},
       {"cpu_s", s.cpu_s},
       {"peak_memory_mib", s.peak_memory_mib},
-      {"version", RIBBON_MAPPER_VERSION}};
+      {"version", version()}};
   return json.dump(2) + "\n";
 }
 
