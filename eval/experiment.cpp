@@ -39,16 +39,13 @@ bool is_dropped(LineResult result) {
 /// What the simulator knows of the world, and of each beam.
 struct Truth {
   explicit Truth(const sim::World& world) : collector(world) {}
-  void add(const sim::Scan& scan) {
-    points.add(middle_of(beams_of(scan)), collector.add(scan));
-  }
+  void add(const sim::Scan& scan) { points.add(middle_of(beams_of(scan)), collector.add(scan)); }
 
   sim::TruthCollector collector;
   PointTruth points;
 };
 
-LineLog drive(sim::Tour& tour, Modeler& modeler, Truth& truth,
-              const ProgressCallback& progress) {
+LineLog drive(sim::Tour& tour, Modeler& modeler, Truth& truth, const ProgressCallback& progress) {
   LineLog log;
   while (const std::optional<sim::Scan> scan = tour.next_scan()) {
     const LaserBeams beams = beams_of(*scan);

@@ -89,8 +89,8 @@ void run_sweep(const ExperimentOptions& options) {
                         sweep_summary_to_json(records, options.command));
   const bool has_doses = records.front().run.drift != records.back().run.drift;
   if (options.with_figure && has_doses) draw_figure(Figure::dose_response, options.output);
-  std::printf("%s\nresults in %s\n",
-              spread_foot(records, label_width_of(options.runs)).c_str(), options.output.c_str());
+  std::printf("%s\nresults in %s\n", spread_foot(records, label_width_of(options.runs)).c_str(),
+              options.output.c_str());
 }
 
 /// The preset, which names what it was learned from, and the figures.
@@ -106,8 +106,8 @@ void calibrate(const ExperimentOptions& options) {
     calibration = make_calibration(run, [&](const Progress& p) { bar.show(p); });
   }
   const auto preset = options.output / "calibrated.yaml";
-  write_file_atomically(preset, calibrated_preset(modeler_config(run), *calibration,
-                                                  options.command));
+  write_file_atomically(preset,
+                        calibrated_preset(modeler_config(run), *calibration, options.command));
   std::printf("%s\npreset in %s\n", calibration_table(*calibration).c_str(), preset.c_str());
 }
 

@@ -4,9 +4,9 @@
 
 #include <iomanip>
 #include <nlohmann/json.hpp>
+#include <sstream>
 
 #include "eval/version.hpp"
-#include <sstream>
 
 namespace ribbon_mapper::eval {
 

@@ -95,8 +95,8 @@ std::string table_row(const char* name, const RibbonSpread& s, const char* paper
   std::array<char, 200> text;
   std::snprintf(text.data(), text.size(), "%-8s %8zu %14.3g %14.3g %14.3g %11.2f %10.1f   %s\n",
                 name, s.ribbons, s.distance_variance_m2, s.angle_variance_rad2,
-                s.scalar_product_variance, s.tolerance.angle_deg,
-                100.0 * s.tolerance.distance_m, paper);
+                s.scalar_product_variance, s.tolerance.angle_deg, 100.0 * s.tolerance.distance_m,
+                paper);
   return text.data();
 }
 
@@ -167,8 +167,8 @@ RibbonSpread Calibrator::spread(const Plane& plane, std::size_t first_ribbon,
 Calibration Calibrator::result() const {
   require(has_moved_, "the robot has not moved yet; drive it 3 to 5 m before the plane");
   require(has_rested(), "the robot stood for " + std::to_string(lines_stopped_) +
-                                             " lines only; let it stand for " +
-                                             std::to_string(kLeastLines) + " before it moves");
+                            " lines only; let it stand for " + std::to_string(kLeastLines) +
+                            " before it moves");
   require(travel_m_ >= kLeastTravel_m, "the robot has hardly moved; drive it 3 to 5 m");
   Calibration calibration;
   calibration.plane = plane_ahead(planes_stopped_, modeler_.trajectory().front().T_map_base);
@@ -205,7 +205,8 @@ std::string calibration_table(const Calibration& calibration) {
                 calibration.turn_deg);
   std::array<char, 200> head;
   std::snprintf(head.data(), head.size(), "%-8s %8s %14s %14s %14s %11s %10s   %s\n", "robot",
-                "ribbons", "V distance m2", "V angle rad2", "V scalar prod.", "angle deg", "dist. cm", "paper");
+                "ribbons", "V distance m2", "V angle rad2", "V scalar prod.", "angle deg",
+                "dist. cm", "paper");
   return std::string(text.data()) + head.data() +
          table_row("stopped", calibration.stopped, "0.25 deg, 10 cm") +
          table_row("moving", calibration.moving, "3.2 deg, 25 cm");

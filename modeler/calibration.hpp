@@ -32,10 +32,10 @@ struct Calibration {
   double turn_deg = 0.0;  ///< all turns together
 };
 
-/// Learns the tolerances of a robot and its localisation as section 5.1 of the paper does: the robot
-/// stands before a large plane that it faces, then moves 3 to 5 m in front of it, with translations
-/// and rotations. Everything until the robot first moves counts as stopped, and was seen from one
-/// pose, whatever the localisation says; all after counts as moving.
+/// Learns the tolerances of a robot and its localisation as section 5.1 of the paper does: the
+/// robot stands before a large plane that it faces, then moves 3 to 5 m in front of it, with
+/// translations and rotations. Everything until the robot first moves counts as stopped, and was
+/// seen from one pose, whatever the localisation says; all after counts as moving.
 class Calibrator {
  public:
   /// Throws std::invalid_argument as Modeler does.

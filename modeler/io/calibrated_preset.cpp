@@ -12,10 +12,11 @@ namespace {
 
 std::string variances(const char* name, const RibbonSpread& spread) {
   std::array<char, 160> text;
-  std::snprintf(text.data(), text.size(),
-                "# %s: distance %.3g m2, normals %.3g rad2, their scalar products %.3g; %zu ribbons\n",
-                name, spread.distance_variance_m2, spread.angle_variance_rad2,
-                spread.scalar_product_variance, spread.ribbons);
+  std::snprintf(
+      text.data(), text.size(),
+      "# %s: distance %.3g m2, normals %.3g rad2, their scalar products %.3g; %zu ribbons\n", name,
+      spread.distance_variance_m2, spread.angle_variance_rad2, spread.scalar_product_variance,
+      spread.ribbons);
   return text.data();
 }
 

@@ -98,7 +98,8 @@ struct Listing {
       ++common;
     }
     for (std::size_t i = common; i < path.size(); ++i) {
-      text += std::string(2 * i, ' ') + path[i] + (i + 1 < path.size() ? ":\n" : ": " + value + "\n");
+      text +=
+          std::string(2 * i, ' ') + path[i] + (i + 1 < path.size() ? ":\n" : ": " + value + "\n");
     }
     sections.assign(path.begin(), path.end() - 1);
   }
