@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <chrono>
 
+#include "eval/lines.hpp"
 #include "eval/point_truth.hpp"
 #include "eval/statistics.hpp"
 #include "eval/world_outlines.hpp"
@@ -24,23 +25,6 @@ double seconds_of(const Work& work) {
   return std::chrono::duration<double>(Clock::now() - start).count();
 }
 
-LaserBeams beams_of(const sim::Scan& scan) {
-  return {scan.stamp,
-          scan.angle_min_rad,
-          scan.angle_increment_rad,
-          scan.time_increment_s,
-          scan.range_min_m,
-          scan.range_max_m,
-          scan.ranges_m};
-}
-
-/// What tf says on the robot: poses with the errors of its localisation.
-LinePoses noisy_poses(const sim::Tour& tour, const LaserBeams& beams) {
-  const Time first = beams.stamp, last = end_of(beams);
-  return {tour.T_odom_base(first), tour.T_odom_base(last), tour.T_base_laser(first),
-          tour.T_base_laser(last), tour.noisy_T_map_base(middle_of(beams))};
-}
-
 /// What became of the lines, and how long they took.
 struct LineLog {
   std::size_t dropped = 0;
@@ -55,16 +39,13 @@ bool is_dropped(LineResult result) {
 /// What the simulator knows of the world, and of each beam.
 struct Truth {
   explicit Truth(const sim::World& world) : collector(world) {}
-  void add(const sim::Scan& scan) {
-    points.add(middle_of(beams_of(scan)), collector.add(scan));
-  }
+  void add(const sim::Scan& scan) { points.add(middle_of(beams_of(scan)), collector.add(scan)); }
 
   sim::TruthCollector collector;
   PointTruth points;
 };
 
-LineLog drive(sim::Tour& tour, Modeler& modeler, Truth& truth,
-              const ProgressCallback& progress) {
+LineLog drive(sim::Tour& tour, Modeler& modeler, Truth& truth, const ProgressCallback& progress) {
   LineLog log;
   while (const std::optional<sim::Scan> scan = tour.next_scan()) {
     const LaserBeams beams = beams_of(*scan);
@@ -141,6 +122,10 @@ Results run_experiment(const sim::World& world, const sim::Route& route,
   results.summary.points = for_each_cell(results.models, [&](const std::vector<Plane>& planes) {
     return point_metrics(truth.points, modeler, planes);
   });
+  if (const auto errors = truth.points.ribbon_errors(modeler)) {
+    results.summary.ribbon_angle_deg = errors->angle_deg;
+    results.summary.ribbon_distance_m = errors->distance_m;
+  }
   return results;
 }
 

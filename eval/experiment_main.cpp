@@ -7,15 +7,19 @@
 #include <exception>
 #include <fstream>
 #include <mutex>
+#include <optional>
 
+#include "eval/calibrate.hpp"
 #include "eval/experiment_options.hpp"
 #include "eval/figure.hpp"
 #include "eval/progress_bar.hpp"
 #include "eval/run.hpp"
 #include "eval/run_log.hpp"
+#include "eval/share.hpp"
 #include "eval/spread.hpp"
 #include "eval/sweep.hpp"
 #include "modeler/io/atomic_file.hpp"
+#include "modeler/io/calibrated_preset.hpp"
 
 namespace {
 
@@ -85,8 +89,26 @@ void run_sweep(const ExperimentOptions& options) {
                         sweep_summary_to_json(records, options.command));
   const bool has_doses = records.front().run.drift != records.back().run.drift;
   if (options.with_figure && has_doses) draw_figure(Figure::dose_response, options.output);
-  std::printf("%s\nresults in %s\n",
-              spread_foot(records, label_width_of(options.runs)).c_str(), options.output.c_str());
+  std::printf("%s\nresults in %s\n", spread_foot(records, label_width_of(options.runs)).c_str(),
+              options.output.c_str());
+}
+
+/// The preset, which names what it was learned from, and the figures.
+void calibrate(const ExperimentOptions& options) {
+  create_directory_for_files(options.output);
+  RunOptions run = options.runs.front();
+  if (run.route.empty()) {
+    run.route = find_shared(run.world).replace_extension().string() + "_calibration.route.yaml";
+  }
+  std::optional<Calibration> calibration;
+  {
+    ProgressBar bar;
+    calibration = make_calibration(run, [&](const Progress& p) { bar.show(p); });
+  }
+  const auto preset = options.output / "calibrated.yaml";
+  write_file_atomically(preset,
+                        calibrated_preset(modeler_config(run), *calibration, options.command));
+  std::printf("%s\npreset in %s\n", calibration_table(*calibration).c_str(), preset.c_str());
 }
 
 }  // namespace
@@ -96,7 +118,9 @@ int main(int argc, char** argv) {
   if (const int* exit_code = std::get_if<int>(&options)) return *exit_code;
   try {
     const auto& chosen = std::get<ExperimentOptions>(options);
-    if (chosen.line_only) {
+    if (chosen.calibrate) {
+      calibrate(chosen);
+    } else if (chosen.line_only) {
       print_lines(chosen);
     } else {
       chosen.is_sweep ? run_sweep(chosen) : run_one(chosen);

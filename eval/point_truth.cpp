@@ -3,7 +3,11 @@
 #include "eval/point_truth.hpp"
 
 #include <algorithm>
+#include <cmath>
+#include <map>
 #include <utility>
+
+#include "eval/statistics.hpp"
 
 namespace ribbon_mapper::eval {
 namespace {
@@ -42,7 +46,7 @@ void PointTruth::settle(const std::vector<sim::TruthPlane>& planes) {
       label = is_known ? plane_of_cell[static_cast<std::size_t>(label)] : Overlaps::no_region;
     }
   }
-  truth_ = planes.size();
+  planes_ = planes;
 }
 
 const PointTruth::Line* PointTruth::line_at(Time middle) const {
@@ -55,7 +59,7 @@ const PointTruth::Line* PointTruth::line_at(Time middle) const {
 Overlaps PointTruth::overlaps(const Modeler& modeler, const std::vector<Plane>& planes,
                               Points which) const {
   const std::vector<int> plane_of_ribbon = ribbon_labels(modeler.ribbons().size(), planes);
-  Overlaps overlaps(truth_, planes.size());
+  Overlaps overlaps(planes_.size(), planes.size());
   auto ribbon = modeler.ribbons().begin();  // they come in the order of their poses
   for (std::size_t pose = 0; pose < modeler.trajectory().size(); ++pose) {
     const Line* line = line_at(modeler.trajectory()[pose].stamp);
@@ -74,6 +78,38 @@ Overlaps PointTruth::overlaps(const Modeler& modeler, const std::vector<Plane>& 
     }
   }
   return overlaps;
+}
+
+/// The one that more than half of the ribbon's points are on.
+const sim::TruthPlane* PointTruth::plane_of(const Ribbon& ribbon, const Line& line) const {
+  std::map<int, std::size_t> points;
+  for (std::size_t beam = ribbon.first_beam; beam <= ribbon.last_beam; ++beam) {
+    ++points[line.labels[beam]];
+  }
+  const std::size_t all = ribbon.last_beam - ribbon.first_beam + 1;
+  for (const auto& [plane, count] : points) {
+    if (plane != Overlaps::no_region && 2 * count > all) {
+      return &planes_[static_cast<std::size_t>(plane)];
+    }
+  }
+  return nullptr;
+}
+
+std::optional<RibbonErrors> PointTruth::ribbon_errors(const Modeler& modeler) const {
+  std::vector<double> angles_deg, distances_m;
+  for (const Ribbon& ribbon : modeler.ribbons()) {
+    const StampedPose& pose = modeler.trajectory()[ribbon.pose];
+    const Line* line = line_at(pose.stamp);
+    const sim::TruthPlane* plane = line ? plane_of(ribbon, *line) : nullptr;
+    if (!plane) continue;
+    const Eigen::Vector3d normal = pose.T_map_base.linear() * ribbon.normal;
+    const Eigen::Vector3d centroid = pose.T_map_base * ribbon.moments.mean();
+    const double sine = normal.cross(plane->normal).norm();
+    angles_deg.push_back(std::atan2(sine, normal.dot(plane->normal)) * 180.0 / M_PI);
+    distances_m.push_back(std::abs(plane->normal.dot(centroid) + plane->d_m));
+  }
+  if (angles_deg.empty()) return std::nullopt;
+  return RibbonErrors{quantile(angles_deg, 0.5), quantile(distances_m, 0.5)};
 }
 
 }  // namespace ribbon_mapper::eval

@@ -66,12 +66,11 @@ Json cell_to_json(const MapMetrics& planes, const PointMetrics* points) {
 
 Json cells_to_json(const Summary& s) {
   const PerCell<PointMetrics>* p = s.points ? &*s.points : nullptr;
-  return {
-      {"noisy_raw", cell_to_json(s.cells.noisy_raw, p ? &p->noisy_raw : nullptr)},
-      {"noisy_merged", cell_to_json(s.cells.noisy_merged, p ? &p->noisy_merged : nullptr)},
-      {"corrected_raw", cell_to_json(s.cells.corrected_raw, p ? &p->corrected_raw : nullptr)},
-      {"corrected_merged",
-       cell_to_json(s.cells.corrected_merged, p ? &p->corrected_merged : nullptr)}};
+  return {{"noisy_raw", cell_to_json(s.cells.noisy_raw, p ? &p->noisy_raw : nullptr)},
+          {"noisy_merged", cell_to_json(s.cells.noisy_merged, p ? &p->noisy_merged : nullptr)},
+          {"corrected_raw", cell_to_json(s.cells.corrected_raw, p ? &p->corrected_raw : nullptr)},
+          {"corrected_merged",
+           cell_to_json(s.cells.corrected_merged, p ? &p->corrected_merged : nullptr)}};
 }
 
 template <typename... Arguments>
@@ -154,7 +153,10 @@ Json figures_of(const Summary& s) {
   Json metrics = to_json(result);
   metrics.erase("planes");
   json.update(metrics);
-  json.update({{"end_drift_m", s.end_drift_m}, {"end_drift_deg", s.end_drift_deg}});
+  json.update({{"ribbon_angle_deg", to_json(s.ribbon_angle_deg)},
+               {"ribbon_distance_m", to_json(s.ribbon_distance_m)},
+               {"end_drift_m", s.end_drift_m},
+               {"end_drift_deg", s.end_drift_deg}});
   return json;
 }
 
@@ -188,11 +190,11 @@ std::string summary_table(const Summary& s) {
   return format("%-32s %6s %8s %7s %6s %11s %6s %9s %10s %11s\n", "trajectory, model", "planes",
                 "matched", "missed", "extra", "duplicates", "f1", "covered %", "angle deg",
                 "offset mm") +
-         table_rows(s.cells) +
-         format("%-32s %6zu\n", "truth", s.cells.corrected_merged.truth) +
+         table_rows(s.cells) + format("%-32s %6zu\n", "truth", s.cells.corrected_merged.truth) +
          (s.points ? points_table(*s.points) : "") +
          format(
-             "\n%zu lines (%zu dropped), %zu ribbons, %.0f us per line, %.1f x real time; the robot "
+             "\n%zu lines (%zu dropped), %zu ribbons, %.0f us per line, %.1f x real time; the "
+             "robot "
              "ended %.2f m and %.1f deg off; corrected in %.0f ms\n",
              s.lines, s.dropped_lines, s.ribbons, s.us_per_line, s.real_time_factor, s.end_drift_m,
              s.end_drift_deg, s.correction_ms);

@@ -27,6 +27,9 @@ struct Summary {
   /// Against the face that each beam hit; over ROS beams have no labels.
   std::optional<PerCell<PointMetrics>> points;
 
+  /// Medians over the ribbons, where the corrected trajectory places them.
+  std::optional<double> ribbon_angle_deg, ribbon_distance_m;
+
   double end_drift_m = 0.0;  ///< last acquisition pose before the correction, from the truth
   double end_drift_deg = 0.0;
   double us_per_line = 0.0;       ///< median time that the modeler took for a line

@@ -64,7 +64,7 @@ double sigma_m(RangeNoise noise, double range_m) {
 
 void HokuyoConfig::set_beams(int count) {
   constexpr double kWithinStep = 1e-3;  // so that rounding takes no beam away
-  angle_min_rad = -(count / 2 + kWithinStep) * angle_increment_rad;
+  angle_min_rad = (kWithinStep - count / 2) * angle_increment_rad;
   angle_max_rad = (count - 1 - count / 2 + kWithinStep) * angle_increment_rad;
 }
 

@@ -59,8 +59,14 @@ double Ramp::speed_at(double time_s) const {
   return std::min(speed, acceleration * nearest_rest_s);
 }
 
-Route::Route(double speed_m_s, double turn_rate_rad_s, std::vector<Eigen::Vector2d> waypoints)
-    : speed_m_s_(speed_m_s), turn_rate_rad_s_(turn_rate_rad_s), waypoints_(std::move(waypoints)) {
+Route::Route(double speed_m_s, double turn_rate_rad_s, std::vector<Eigen::Vector2d> waypoints,
+             double rest_s)
+    : speed_m_s_(speed_m_s),
+      turn_rate_rad_s_(turn_rate_rad_s),
+      rest_s_(rest_s),
+      waypoints_(std::move(waypoints)),
+      end_s_(rest_s) {
+  require(rest_s >= 0.0 && rest_s <= 1000.0, "rest must be in 0..1000 s");
   require(speed_m_s > 0.0 && speed_m_s <= pr2::kBaseSpeed_m_s, "speed must be in 0..1 m/s");
   require(turn_rate_rad_s > 0.0 && turn_rate_rad_s <= pr2::kBaseTurnRate_rad_s,
           "turn_rate must be in 0..2 rad/s");
@@ -81,7 +87,7 @@ Route::Route(double speed_m_s, double turn_rate_rad_s, std::vector<Eigen::Vector
 
 Route Route::at_speed(double speed_m_s) const {
   const double turn_rate_rad_s = turn_rate_rad_s_ * speed_m_s / speed_m_s_;
-  return {speed_m_s, std::min(turn_rate_rad_s, pr2::kBaseTurnRate_rad_s), waypoints_};
+  return {speed_m_s, std::min(turn_rate_rad_s, pr2::kBaseTurnRate_rad_s), waypoints_, rest_s_};
 }
 
 Pose Route::end_pose() const { return planar_pose(end_place_.x(), end_place_.y(), end_yaw_rad_); }
@@ -125,13 +131,13 @@ const Route::Leg& Route::leg_at(double time_s) const {
 }
 
 Pose Route::T_map_base(Time time) const {
-  const double time_s = std::max(0.0, to_seconds(time));
+  const double time_s = std::max(rest_s_, to_seconds(time));
   const Leg& leg = leg_at(time_s);
   return leg.pose_at(leg.ramp.way_at(time_s - leg.start_s));
 }
 
 Velocity Route::velocity(Time time) const {
-  const double time_s = std::max(0.0, to_seconds(time));
+  const double time_s = std::max(rest_s_, to_seconds(time));
   const Leg& leg = leg_at(time_s);
   const double speed = leg.ramp.speed_at(time_s - leg.start_s);
   return leg.turn_sign == 0.0 ? Velocity{speed, 0.0} : Velocity{0.0, leg.turn_sign * speed};

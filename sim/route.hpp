@@ -36,13 +36,16 @@ struct Velocity {
 /// straight, and so on; at the end of a closed route it turns back to its first heading.
 class Route {
  public:
-  /// Reads YAML with `speed` [m/s], `turn_rate` [rad/s] and `waypoints` [[x, y], ...] [m, map].
+  /// Reads YAML with `speed` [m/s], `turn_rate` [rad/s] and `waypoints` [[x, y], ...] [m, map], and
+  /// `rest` [s], 0 if it is left out.
   /// Throws std::runtime_error naming the file and the key.
   static Route load(const std::string& path);
 
   /// Throws std::invalid_argument if a speed is outside the PR2's limits (1 m/s, 2 rad/s), or if
-  /// there are less than two waypoints, or two following ones in the same place.
-  Route(double speed_m_s, double turn_rate_rad_s, std::vector<Eigen::Vector2d> waypoints);
+  /// there are less than two waypoints, or two following ones in the same place. The robot stands
+  /// for `rest_s` before it starts (0 to 1000).
+  Route(double speed_m_s, double turn_rate_rad_s, std::vector<Eigen::Vector2d> waypoints,
+        double rest_s = 0.0);
 
   Time duration() const;
   double length_m() const { return length_m_; }
@@ -75,12 +78,12 @@ class Route {
   void drive_to(const Eigen::Vector2d& target);
   const Leg& leg_at(double time_s) const;
 
-  double speed_m_s_, turn_rate_rad_s_;
+  double speed_m_s_, turn_rate_rad_s_, rest_s_;
   std::vector<Eigen::Vector2d> waypoints_;
   std::vector<Leg> legs_;
   double length_m_ = 0.0;
   Eigen::Vector2d end_place_;  ///< end of the last leg
-  double end_yaw_rad_, end_s_ = 0.0;
+  double end_yaw_rad_, end_s_;
 };
 
 /// Throws std::runtime_error naming the place and what is hit if the PR2's body meets the world

@@ -4,8 +4,8 @@
 
 #include <gmock/gmock.h>
 
+#include "eval/lines.hpp"
 #include "eval/run.hpp"
-#include "eval/share.hpp"
 
 namespace ribbon_mapper::eval {
 namespace {
@@ -21,14 +21,9 @@ struct RoomTour {
     sim::Tour tour(world, load_route(run), tour_config(run));
     sim::TruthCollector collector(world);
     while (const std::optional<sim::Scan> scan = tour.next_scan()) {
-      const LaserBeams beams{scan->stamp,           scan->angle_min_rad,
-                             scan->angle_increment_rad, scan->time_increment_s,
-                             scan->range_min_m,     scan->range_max_m,
-                             scan->ranges_m};
-      const Time middle = middle_of(beams), end = end_of(beams);
-      modeler.add_scan_line(beams, {tour.T_odom_base(beams.stamp), tour.T_odom_base(end),
-                                    tour.T_base_laser(beams.stamp), tour.T_base_laser(end),
-                                    tour.noisy_T_map_base(middle)});
+      const LaserBeams beams = beams_of(*scan);
+      const Time middle = middle_of(beams);
+      modeler.add_scan_line(beams, noisy_poses(tour, beams));
       truth.add(middle, collector.add(*scan));
       faces[middle] = scan->faces;
     }
@@ -89,6 +84,17 @@ TEST_F(PointTruthInARoom, ThePlanesOfTheRoomAreRight) {
     EXPECT_EQ(s.correct, 5U);
     EXPECT_EQ(s.estimates, 5U);
   }
+}
+
+/// The laser's noise is 1 cm, its lines lie some centimetres apart.
+TEST_F(PointTruthInARoom, RibbonsLieOnTheirTruePlanes) {
+  const auto errors = tour_->truth.ribbon_errors(tour_->modeler);
+  ASSERT_TRUE(errors);
+  EXPECT_GT(errors->angle_deg, 0.01);
+  EXPECT_LT(errors->angle_deg, 2.0);
+  EXPECT_GT(errors->distance_m, 1e-5);
+  EXPECT_LT(errors->distance_m, 0.005);
+  EXPECT_FALSE(tour_->truth.ribbon_errors(Modeler{ModelerConfig()}));
 }
 
 TEST_F(PointTruthInARoom, ReturnsOfNoRibbonCountOnlyAmongAll) {
