@@ -21,12 +21,12 @@ struct AngleErrors {
   std::vector<double> all;
   std::array<std::vector<double>, 4> by_range;      // to 2, 5, 10 m and beyond
   std::array<std::vector<double>, 3> by_incidence;  // to 30, 60 and 90 deg
-  std::size_t missing = 0;  ///< where the peer gives none, though we do
+  std::size_t missing = 0;                          ///< where the peer gives none, though we do
 };
 
 std::size_t bin_of(double value, std::initializer_list<double> ends) {
-  return static_cast<std::size_t>(std::count_if(ends.begin(), ends.end(),
-                                                [value](double end) { return value > end; }));
+  return static_cast<std::size_t>(
+      std::count_if(ends.begin(), ends.end(), [value](double end) { return value > end; }));
 }
 
 /// At the beams where we have a normal, on flat faces.
@@ -123,14 +123,32 @@ void measure_normals(const Inputs& inputs, Report& report) {
     const AngleErrors errors = errors_of(judged[i], many, tour);
     const bool is_asked_everywhere = errors.all.empty();
     const double item_ns = ns.at(timed[i].name);
-    Row row{"normals of the middle line, per normal", timed[i].name, {}, item_ns,
-            item_ns / ours_ns, {}, is_asked_everywhere ? "" : text_of(errors), json_of(errors)};
+    Row row{"normals of the middle line, per normal",
+            timed[i].name,
+            {},
+            item_ns,
+            item_ns / ours_ns,
+            {},
+            is_asked_everywhere ? "" : text_of(errors),
+            json_of(errors)};
     report.add(row);
   }
-  report.add({"normals of the middle line, per normal", solve, {}, ns.at(solve),
-              ns.at(solve) / ours_ns, {}, "", {}});
-  report.add({"normals of the middle line, per normal", "ours, per point of the line", {},
-              ours_point_ns, {}, {}, "", {}});
+  report.add({"normals of the middle line, per normal",
+              solve,
+              {},
+              ns.at(solve),
+              ns.at(solve) / ours_ns,
+              {},
+              "",
+              {}});
+  report.add({"normals of the middle line, per normal",
+              "ours, per point of the line",
+              {},
+              ours_point_ns,
+              {},
+              {},
+              "",
+              {}});
   const double pcl_ns = ns.at("pcl::NormalEstimation r 0.15 m");  // the same neighbourhood
   report.set("normals_vs_pcl", pcl_ns / ours_ns);
   report.set("normals_vs_pcl_per_point", pcl_ns / ours_point_ns);
