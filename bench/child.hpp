@@ -10,8 +10,8 @@ namespace ribbon_mapper::bench {
 
 /// What came out of work that ran in a process of its own.
 struct ChildResult {
-  nlohmann::json value;   ///< what the work returned
-  double peak_mb = 0.0;   ///< of the memory, beyond what there was when the work began [MB]
+  nlohmann::json value;  ///< what the work returned
+  double peak_mb = 0.0;  ///< of the memory, beyond what there was when the work began [MB]
 };
 
 /// Runs `work` in a forked process, so that its memory can be measured and what it leaves behind

@@ -22,11 +22,12 @@ using namespace ribbon_mapper::bench;
 struct Section {
   const char* name;
   void (*measure)(const Inputs&, Report&);
+  bool always = true;  ///< not only when it is asked for
 };
-constexpr Section kSections[] = {
-    {"normals", measure_normals},        {"lines", measure_lines},   {"planes", measure_planes},
-    {"corrections", measure_corrections}, {"memory", measure_memory}, {"rays", measure_rays},
-    {"growth", measure_growth}};
+constexpr Section kSections[] = {{"normals", measure_normals}, {"lines", measure_lines},
+                                 {"planes", measure_planes},   {"corrections", measure_corrections},
+                                 {"memory", measure_memory},   {"rays", measure_rays},
+                                 {"growth", measure_growth},   {"profile", run_for_profile, false}};
 
 /// One core for all that follows, so that no thread moves and none is added.
 void pin_to_one_core() {
@@ -39,7 +40,8 @@ void pin_to_one_core() {
 void define(CLI::App& app, Options& options) {
   std::set<std::string> names;
   for (const Section& section : kSections) names.insert(section.name);
-  app.add_flag("--quick", options.quick, "A part of the tour, few peers: for a look, not for a table");
+  app.add_flag("--quick", options.quick,
+               "A part of the tour, few peers: for a look, not for a table");
   app.add_option("--only", options.sections, "Only these sections")
       ->delimiter(',')
       ->check(CLI::IsMember(names));
@@ -60,7 +62,9 @@ void run(const Options& options) {
   if (options.quick) inputs.tour = head_of(inputs.tour, inputs.tour.lines.size() / 5);
   Report report;
   for (const Section& section : kSections) {
-    if (options.wants(section.name)) section.measure(inputs, report);
+    const bool is_asked_for = options.sections.count(section.name) > 0;
+    if (is_asked_for || (options.sections.empty() && section.always))
+      section.measure(inputs, report);
   }
   report.write(options.output, !options.sections.empty());
   std::printf("\n%s\nresults in %s\n", report.summary_text().c_str(), options.output.c_str());

@@ -15,10 +15,6 @@ struct Options {
   std::string config = "config/pr2.yaml";
   double limit_s = 600.0;  ///< CPU time after which a peer is stopped
   int repetitions = 5;     ///< of our own whole pipelines
-
-  bool wants(const std::string& section) const {
-    return sections.empty() || sections.count(section) > 0;
-  }
 };
 
 }  // namespace ribbon_mapper::bench

@@ -4,6 +4,7 @@
 
 #include <cstdio>
 #include <fstream>
+#include <set>
 
 #include "modeler/io/atomic_file.hpp"
 
@@ -81,15 +82,21 @@ std::string Report::summary_text() const {
 }
 
 void Report::write(const std::filesystem::path& directory, bool keep_others) const {
-  nlohmann::json all = {{"machine", machine()}, {"rows", nlohmann::json::array()}};
-  for (const Row& row : rows_) all["rows"].push_back(to_json(row));
-  all["summary"] = summary_;
-  const auto summary_file = directory / "summary.json";
-  nlohmann::json summary = keep_others ? read_json(summary_file) : nlohmann::json::object();
+  nlohmann::json before =
+      keep_others ? read_json(directory / "bench.json") : nlohmann::json::object();
+  nlohmann::json rows = nlohmann::json::array();
+  std::set<std::string> sections;
+  for (const Row& row : rows_) sections.insert(row.section);
+  for (const auto& row : before.value("rows", nlohmann::json::array())) {
+    if (sections.count(row["section"].get<std::string>()) == 0) rows.push_back(row);
+  }
+  for (const Row& row : rows_) rows.push_back(to_json(row));
+  nlohmann::json summary = before.value("summary", nlohmann::json::object());
   summary.update(nlohmann::json(summary_));
+  const nlohmann::json all = {{"machine", machine()}, {"rows", rows}, {"summary", summary}};
   create_directory_for_files(directory);
   write_file_atomically(directory / "bench.json", all.dump(2) + "\n");
-  write_file_atomically(summary_file, summary.dump(2) + "\n");
+  write_file_atomically(directory / "summary.json", summary.dump(2) + "\n");
 }
 
 nlohmann::json machine() {

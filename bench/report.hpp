@@ -30,8 +30,8 @@ class Report {
   void add(const Row& row);
   void set(const std::string& ratio, double value) { summary_[ratio] = value; }
 
-  /// bench.json and summary.json, each whole or not at all; ratios of an earlier run that this one
-  /// did not measure stay in the summary only if `keep_others`.
+  /// bench.json and summary.json, each whole or not at all; sections of an earlier run that this
+  /// one did not measure stay only if `keep_others`. A section is always of one run.
   void write(const std::filesystem::path& directory, bool keep_others) const;
 
   std::string summary_text() const;

@@ -23,5 +23,6 @@ void measure_corrections(const Inputs& inputs, Report& report);
 void measure_memory(const Inputs& inputs, Report& report);
 void measure_rays(const Inputs& inputs, Report& report);
 void measure_growth(const Inputs& inputs, Report& report);
+void run_for_profile(const Inputs& inputs, Report& report);
 
 }  // namespace ribbon_mapper::bench

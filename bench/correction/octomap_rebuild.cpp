@@ -34,10 +34,9 @@ std::vector<Node> nodes_of(const Recording& tour, const ScanConfig& config) {
       }
     }
     const Pose& T = tour.lines[k].T_map_base_true;
-    const Eigen::Quaterniond q(T.linear());
-    nodes[k].T_map_node = octomap::pose6d(
-        to_octomap(T * sensor), octomath::Quaternion(static_cast<float>(q.w()), static_cast<float>(q.x()),
-                                                     static_cast<float>(q.y()), static_cast<float>(q.z())));
+    const Eigen::Quaternionf q = Eigen::Quaterniond(T.linear()).cast<float>();
+    nodes[k].T_map_node =
+        octomap::pose6d(to_octomap(T * sensor), octomath::Quaternion(q.w(), q.x(), q.y(), q.z()));
   }
   return nodes;
 }

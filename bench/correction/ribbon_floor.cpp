@@ -27,9 +27,11 @@ RibbonFloor::RibbonFloor(const Recording& tour, const ModelerConfig& config) {
       const Eigen::Matrix3d m = w * (ribbon.moments.covariance() + mean * mean.transpose());
       const auto first = static_cast<std::uint32_t>(sample_points_.size());
       for (const RibbonSample& sample : ribbon.samples) sample_points_.push_back(sample.point);
-      sources_.push_back({{w, sum.x(), sum.y(), sum.z(), m(0, 0), m(0, 1), m(0, 2), m(1, 1),
-                           m(1, 2), m(2, 2)},
-                          middle, first, static_cast<std::uint32_t>(sample_points_.size())});
+      sources_.push_back(
+          {{w, sum.x(), sum.y(), sum.z(), m(0, 0), m(0, 1), m(0, 2), m(1, 1), m(1, 2), m(2, 2)},
+           middle,
+           first,
+           static_cast<std::uint32_t>(sample_points_.size())});
     }
   }
   moved_sums_.resize(sources_.size());
@@ -50,9 +52,16 @@ void RibbonFloor::move(const std::vector<Pose>& T_map_base) {
     const auto moment = [&](int a, int b) {
       return A.row(a).dot(R.row(b)) + half[a] * t[b] + t[a] * half[b];
     };
-    moved_sums_[i] = {s.weight, rotated.x() + s.weight * t.x(), rotated.y() + s.weight * t.y(),
-                      rotated.z() + s.weight * t.z(), moment(0, 0), moment(0, 1), moment(0, 2),
-                      moment(1, 1), moment(1, 2), moment(2, 2)};
+    moved_sums_[i] = {s.weight,
+                      rotated.x() + s.weight * t.x(),
+                      rotated.y() + s.weight * t.y(),
+                      rotated.z() + s.weight * t.z(),
+                      moment(0, 0),
+                      moment(0, 1),
+                      moment(0, 2),
+                      moment(1, 1),
+                      moment(1, 2),
+                      moment(2, 2)};
     const Eigen::Matrix3f Rf = R.cast<float>();
     const Eigen::Vector3f tf = t.cast<float>();
     for (std::uint32_t k = source.first_sample; k < source.end_sample; ++k) {

@@ -56,7 +56,8 @@ nlohmann::json our_rebuild(const Inputs& inputs) {
 
 nlohmann::json octomap(const Inputs& inputs, Insertion insertion) {
   const OctomapResult result = rebuild_octomap(inputs.tour, inputs.config.scan, insertion);
-  return {{"seconds", result.seconds}, {"tree_bytes", result.tree_bytes}, {"leaves", result.leaves}};
+  return {
+      {"seconds", result.seconds}, {"tree_bytes", result.tree_bytes}, {"leaves", result.leaves}};
 }
 
 /// A peer over all points at their true poses; placing them is part of it.
@@ -68,7 +69,8 @@ nlohmann::json on_voxels(const Inputs& inputs, const PlanesPeer& peer) {
     planes = peer.planes_of(voxel_grid(cloud.points, 0.04F));
   });
   const auto patches = patches_of(planes, ViewField(cloud), inputs.config.map.least_area_m2);
-  return {{"seconds", seconds}, {"metrics", to_json(eval::compare_maps(patches, inputs.tour.truth))}};
+  return {{"seconds", seconds},
+          {"metrics", to_json(eval::compare_maps(patches, inputs.tour.truth))}};
 }
 
 /// Median of some runs in processes of their own; nothing if one did not finish.
@@ -102,8 +104,14 @@ class Section {
     last = run->value;
     const double seconds = last["seconds"];
     if (ours_s == 0.0) ours_s = seconds;
-    report_.add({kSection, name, seconds, {}, seconds / ours_s, run->peak_mb,
-                 last.contains("metrics") ? text_of(last["metrics"]) : "", last});
+    report_.add({kSection,
+                 name,
+                 seconds,
+                 {},
+                 seconds / ours_s,
+                 run->peak_mb,
+                 last.contains("metrics") ? text_of(last["metrics"]) : "",
+                 last});
     return seconds;
   }
 
@@ -129,8 +137,14 @@ double floor_s(const Inputs& inputs, std::size_t ribbons, Report& report) {
   for (int i = 0; i < 21; ++i) seconds.push_back(seconds_of([&] { floor.move(poses); }));
   char text[96];
   std::snprintf(text, sizeof text, "%zu ribbons, %zu samples", floor.ribbons(), floor.samples());
-  report.add({kSection, "the floor: every ribbon's moments and samples moved once",
-              median(seconds), {}, {}, {}, text, {}});
+  report.add({kSection,
+              "the floor: every ribbon's moments and samples moved once",
+              median(seconds),
+              {},
+              {},
+              {},
+              text,
+              {}});
   return median(seconds);
 }
 
@@ -139,24 +153,25 @@ double floor_s(const Inputs& inputs, std::size_t ribbons, Report& report) {
 void measure_corrections(const Inputs& inputs, Report& report) {
   Section section(inputs, report);
   const int repetitions = inputs.options.repetitions;
-  const double ours_s =
-      section.add("ours: correct() and merged_planes(), cells included",
-                  [&] { return our_correction(inputs); }, repetitions);
+  const double ours_s = section.add(
+      "ours: correct() and merged_planes(), cells included", [&] { return our_correction(inputs); },
+      repetitions);
   const std::size_t ribbons = section.last["ribbons"];
   report.set("correction_s", ours_s);
   report.set("correction_correct_s", section.last["correct_s"]);
   report.set("correction_planes_s", section.last["planes_s"]);
   report.set("correction_over_floor", ours_s / floor_s(inputs, ribbons, report));
   report.set("correction_vs_rebuild",
-             section.add("ours, rebuilt from raw lines", [&] { return our_rebuild(inputs); },
-                         std::min(3, repetitions)) / ours_s);
+             section.add(
+                 "ours, rebuilt from raw lines", [&] { return our_rebuild(inputs); },
+                 std::min(3, repetitions)) /
+                 ours_s);
   const double fast_s = section.add("OctoMap 5 cm, insertPointCloud, lazy and discretised",
                                     [&] { return octomap(inputs, Insertion::fast); });
   report.set("correction_vs_octomap_fast", fast_s / ours_s);
   if (!inputs.options.quick) {
-    const double octomap_s =
-        section.add("OctoMap 5 cm, insertPointCloud",
-                    [&] { return octomap(inputs, Insertion::as_documented); });
+    const double octomap_s = section.add("OctoMap 5 cm, insertPointCloud",
+                                         [&] { return octomap(inputs, Insertion::as_documented); });
     report.set("correction_vs_octomap", octomap_s / ours_s);
   }
   for (const PlanesPeer& peer :
@@ -189,8 +204,8 @@ void measure_memory(const Inputs& inputs, Report& report) {
   const double bytes = ours->value["bytes"];
   add("ours: Modeler::memory_bytes()", bytes,
       "; process grew by " + std::to_string(static_cast<int>(ours->peak_mb)) + " MB at most");
-  const auto tree = run_in_child([&] { return octomap(inputs, Insertion::fast); },
-                                 inputs.options.limit_s);
+  const auto tree =
+      run_in_child([&] { return octomap(inputs, Insertion::fast); }, inputs.options.limit_s);
   const double raw_bytes = 4.0 * static_cast<double>(inputs.tour.beam_count());
   if (tree) {
     const double tree_bytes = tree->value["tree_bytes"];

@@ -61,12 +61,15 @@ std::vector<Line> standing_lines() {
   sim::Hokuyo hokuyo(sim::HokuyoConfig{}, 1);
   std::vector<Line> lines;
   for (int i = 0; i < kPeriods * kLinesPerPeriod; ++i) {
-    const sim::Scan scan = hokuyo.scan(world, i * hokuyo.period(), [&](Time time) {
-      return T_map_base * T_base_laser(time);
-    });
+    const sim::Scan scan = hokuyo.scan(world, i * hokuyo.period(),
+                                       [&](Time time) { return T_map_base * T_base_laser(time); });
     Line& line = lines.emplace_back();
-    line.beams = {scan.stamp,       scan.angle_min_rad, scan.angle_increment_rad,
-                  scan.time_increment_s, scan.range_min_m,   scan.range_max_m,
+    line.beams = {scan.stamp,
+                  scan.angle_min_rad,
+                  scan.angle_increment_rad,
+                  scan.time_increment_s,
+                  scan.range_min_m,
+                  scan.range_max_m,
                   scan.ranges_m};
     line.poses.T_odom_base_first = line.poses.T_odom_base_last = T_map_base;
     line.poses.T_map_base = T_map_base;
@@ -90,12 +93,13 @@ TEST(Allocations, StopOnceTheRobotKnowsThePlace) {
   ASSERT_GT(modeler.statistics().ribbons, 1000u);
   std::size_t sum = 0;
   for (const std::size_t count : counts) sum += count;
-  const auto allocating = std::count_if(counts.begin(), counts.end(),
-                                        [](std::size_t count) { return count > 0; });
+  const auto allocating =
+      std::count_if(counts.begin(), counts.end(), [](std::size_t count) { return count > 0; });
   std::sort(counts.begin(), counts.end());
   const double mean = static_cast<double>(sum) / static_cast<double>(counts.size());
   std::printf("allocations per line: mean %.2f, median %zu, most %zu; %zd of %zu lines allocate\n",
-              mean, counts[counts.size() / 2], counts.back(), static_cast<ssize_t>(allocating), counts.size());
+              mean, counts[counts.size() / 2], counts.back(), static_cast<ssize_t>(allocating),
+              counts.size());
   EXPECT_LT(static_cast<double>(allocating), 0.05 * static_cast<double>(counts.size()));
   EXPECT_LT(mean, 0.1);
 }

@@ -50,7 +50,8 @@ def compare(counts, result, budget):
         share = count / budget['instructions'][stage]
         word = 'OVER THE BUDGET' if share > ROOM else 'renew it' if share < 1 / ROOM else 'ok'
         good &= share <= ROOM
-        print(f'{stage:8} {count:>15,} of {budget["instructions"][stage]:>15,}  {share:6.3f}  {word}')
+        allowed = budget['instructions'][stage]
+        print(f'{stage:8} {count:>15,} of {allowed:>15,}  {share:6.3f}  {word}')
     if result != budget['result']:
         print(f'the result is "{result}", not "{budget["result"]}" as when the budget was written')
     return good

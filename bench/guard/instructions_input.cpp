@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: 2026 ribbon_mapper authors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// The fixed input whose instructions guard.py counts: the first lines of the tour, a correction, the
-// planes. Prints what came of it, so that less work cannot pass for faster work.
+// The fixed input whose instructions guard.py counts: the first lines of the tour, a correction,
+// the planes. Prints what came of it, so that less work cannot pass for faster work.
 
 #include <cstdio>
 #include <exception>
@@ -30,8 +30,12 @@ void run() {
   Modeler modeler(ModelerConfig{});
   for (std::size_t i = 0; i < kLines; ++i) {
     const sim::Scan scan = *tour.next_scan();
-    const LaserBeams beams{scan.stamp,       scan.angle_min_rad, scan.angle_increment_rad,
-                           scan.time_increment_s, scan.range_min_m,   scan.range_max_m,
+    const LaserBeams beams{scan.stamp,
+                           scan.angle_min_rad,
+                           scan.angle_increment_rad,
+                           scan.time_increment_s,
+                           scan.range_min_m,
+                           scan.range_max_m,
                            scan.ranges_m};
     modeler.add_scan_line(beams, poses_of(tour, beams));
   }

@@ -19,8 +19,8 @@ Row row_of(const Recording& tour, const LineTimes& times, double solve_ns) {
   const double lasting_s = static_cast<double>(tour.lines.size()) / kRate_hz;
   const double middle_s = median(times.modelled), late_s = quantile(times.modelled, 0.999);
   char name[64], text[160];
-  std::snprintf(name, sizeof name, "%zu beams at %.0f Hz",
-                tour.lines.front().beams.ranges_m.size(), kRate_hz);
+  std::snprintf(name, sizeof name, "%zu beams at %.0f Hz", tour.lines.front().beams.ranges_m.size(),
+                kRate_hz);
   std::snprintf(text, sizeof text,
                 "%.2f eigen solves a beam; %.0f x real time; line %.0f us, p99.9 %.0f us (%.1f x)",
                 beam_ns / solve_ns, lasting_s / times.total_s(), 1e6 * middle_s, 1e6 * late_s,

@@ -27,7 +27,8 @@ Sample converted(const ThreeLines& lines) {
        {&lines.buffer.previous(), &lines.buffer.middle(), &lines.buffer.next()}) {
     for (std::size_t i = 0; i < line->size(); ++i) {
       if (!line->has_return(i)) continue;
-      if (line == &lines.buffer.middle()) sample.of_beam[i] = static_cast<int>(sample.points.size());
+      if (line == &lines.buffer.middle())
+        sample.of_beam[i] = static_cast<int>(sample.points.size());
       const Eigen::Vector3d& p = line->points[i];
       sample.points.push_back({{p.x(), p.y(), p.z()}, {0.0, 0.0, 0.0}});
     }

@@ -16,12 +16,12 @@ using Cloud = pcl::PointCloud<pcl::PointXYZ>;
 
 /// The three lines as PCL has them, about the sensor: floats far from the origin lose millimetres.
 struct Sample {
-  Cloud::Ptr three = std::make_shared<Cloud>();     // all returns
-  Cloud::Ptr queries = std::make_shared<Cloud>();   // where our surfels are: their beams' points
-  Cloud::Ptr middle = std::make_shared<Cloud>();    // all returns of the middle line
-  std::vector<pcl::Indices> neighbours;             // of the queries, by our own lists
+  Cloud::Ptr three = std::make_shared<Cloud>();    // all returns
+  Cloud::Ptr queries = std::make_shared<Cloud>();  // where our surfels are: their beams' points
+  Cloud::Ptr middle = std::make_shared<Cloud>();   // all returns of the middle line
+  std::vector<pcl::Indices> neighbours;            // of the queries, by our own lists
   std::vector<int> query_of_beam;
-  pcl::PointCloud<pcl::Normal> normals;             // of the queries
+  pcl::PointCloud<pcl::Normal> normals;  // of the queries
 };
 
 pcl::PointXYZ to_pcl(const Eigen::Vector3d& point, const Eigen::Vector3d& origin) {

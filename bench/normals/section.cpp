@@ -21,12 +21,12 @@ struct AngleErrors {
   std::vector<double> all;
   std::array<std::vector<double>, 4> by_range;      // to 2, 5, 10 m and beyond
   std::array<std::vector<double>, 3> by_incidence;  // to 30, 60 and 90 deg
-  std::size_t missing = 0;  ///< where the peer gives none, though we do
+  std::size_t missing = 0;                          ///< where the peer gives none, though we do
 };
 
 std::size_t bin_of(double value, std::initializer_list<double> ends) {
-  return static_cast<std::size_t>(std::count_if(ends.begin(), ends.end(),
-                                                [value](double end) { return value > end; }));
+  return static_cast<std::size_t>(
+      std::count_if(ends.begin(), ends.end(), [value](double end) { return value > end; }));
 }
 
 /// At the beams where we have a normal, on flat faces.
@@ -98,6 +98,42 @@ std::vector<NormalsPeer> all_peers(const std::vector<ThreeLines>& samples,
   return peers;
 }
 
+const std::string kSection = "normals of the middle line, per normal";
+const std::string kSolve = "Eigen computeDirect, one 3x3 solve";
+const std::string kPcl = "pcl::NormalEstimation r 0.15 m";  // the same neighbourhood as ours
+
+using Times = std::map<std::string, double>;  // ns per normal
+
+Times times_of(const std::vector<NormalsPeer>& peers,
+               const std::vector<Eigen::Matrix3d>& covariances) {
+  MicroBenchmarks benchmarks;
+  benchmarks.add(kSolve, covariances.size(), [&] { eigen_solve_ns(covariances); });
+  for (const NormalsPeer& peer : peers) benchmarks.add(peer.name, peer.normals, peer.run);
+  return benchmarks.ns_per_item();
+}
+
+/// A row of a peer, with its errors where it is asked what we are asked.
+Row row_of(const NormalsPeer& peer, const AngleErrors& errors, double ns, double ours_ns) {
+  Row row;
+  row.section = kSection;
+  row.name = peer.name;
+  row.ns_per_item = ns;
+  row.over_ours = ns / ours_ns;
+  if (!errors.all.empty()) {
+    row.accuracy = text_of(errors);
+    row.details = json_of(errors);
+  }
+  return row;
+}
+
+void add_times(const std::string& name, double ns, Report& report) {
+  Row row;
+  row.section = kSection;
+  row.name = name;
+  row.ns_per_item = ns;
+  report.add(row);
+}
+
 }  // namespace
 
 void measure_normals(const Inputs& inputs, Report& report) {
@@ -106,36 +142,24 @@ void measure_normals(const Inputs& inputs, Report& report) {
   const auto few = sample_buffers(tour, inputs.config, 16);
   const auto many = sample_buffers(tour, inputs.config, inputs.options.quick ? 100 : 400);
   const auto timed = all_peers(few, inputs.config), judged = all_peers(many, inputs.config);
-  const auto covariances = covariances_of(few);
-
-  MicroBenchmarks benchmarks;
-  const std::string solve = "Eigen computeDirect, one 3x3 solve";
-  benchmarks.add(solve, covariances.size(), [&] { eigen_solve_ns(covariances); });
-  for (const NormalsPeer& peer : timed) benchmarks.add(peer.name, peer.normals, peer.run);
-  const auto ns = benchmarks.ns_per_item();
-
+  const Times ns = times_of(timed, covariances_of(few));
+  const double ours_ns = ns.at(timed[0].name);
+  for (const NormalsPeer& peer : judged) {
+    peer.run();
+    const AngleErrors errors = errors_of(peer, many, tour);
+    report.add(row_of(peer, errors, ns.at(peer.name), ours_ns));
+    if (&peer == &judged[0]) report.set("normals_error_deg", median(errors.all));
+    if (peer.name == kPcl) report.set("normals_pcl_error_deg", median(errors.all));
+  }
   std::size_t points = 0;
   for (const ThreeLines& sample : few) points += sample.beams.size();
-  const double ours_ns = ns.at(timed[0].name);
-  const double ours_point_ns = ours_ns * static_cast<double>(timed[0].normals) / points;
-  for (std::size_t i = 0; i < timed.size(); ++i) {
-    judged[i].run();
-    const AngleErrors errors = errors_of(judged[i], many, tour);
-    const bool is_asked_everywhere = errors.all.empty();
-    const double item_ns = ns.at(timed[i].name);
-    Row row{"normals of the middle line, per normal", timed[i].name, {}, item_ns,
-            item_ns / ours_ns, {}, is_asked_everywhere ? "" : text_of(errors), json_of(errors)};
-    report.add(row);
-  }
-  report.add({"normals of the middle line, per normal", solve, {}, ns.at(solve),
-              ns.at(solve) / ours_ns, {}, "", {}});
-  report.add({"normals of the middle line, per normal", "ours, per point of the line", {},
-              ours_point_ns, {}, {}, "", {}});
-  const double pcl_ns = ns.at("pcl::NormalEstimation r 0.15 m");  // the same neighbourhood
-  report.set("normals_vs_pcl", pcl_ns / ours_ns);
-  report.set("normals_vs_pcl_per_point", pcl_ns / ours_point_ns);
-  report.set("normals_per_eigen", ours_point_ns / ns.at(solve));
-  report.set("normals_per_eigen_per_normal", ours_ns / ns.at(solve));
+  const double share = static_cast<double>(timed[0].normals) / static_cast<double>(points);
+  add_times(kSolve, ns.at(kSolve), report);
+  add_times("ours, per point of the line", ours_ns * share, report);
+  report.set("normals_vs_pcl", ns.at(kPcl) / ours_ns);
+  report.set("normals_vs_pcl_per_point", ns.at(kPcl) / (ours_ns * share));
+  report.set("normals_per_eigen", ours_ns * share / ns.at(kSolve));
+  report.set("normals_per_eigen_per_normal", ours_ns / ns.at(kSolve));
 }
 
 }  // namespace ribbon_mapper::bench

@@ -16,11 +16,11 @@ namespace ribbon_mapper::bench {
 /// A full buffer of the tour: the input of all rows that estimate normals.
 struct ThreeLines {
   LineBuffer buffer;
-  std::vector<std::size_t> beams;        ///< of the middle line: those with a return
-  std::vector<Neighbourhood> around;     ///< of each of these; size 0: no normal there
-  std::vector<Surfel> surfels;           ///< that we estimate on it
+  std::vector<std::size_t> beams;     ///< of the middle line: those with a return
+  std::vector<Neighbourhood> around;  ///< of each of these; size 0: no normal there
+  std::vector<Surfel> surfels;        ///< that we estimate on it
   Eigen::Matrix3d R_map_odom = Eigen::Matrix3d::Identity();  ///< as it really was
-  const RecordedLine* middle = nullptr;  ///< the recording's line in the middle
+  const RecordedLine* middle = nullptr;                      ///< the recording's line in the middle
 };
 
 /// `count` buffers, evenly over the tour.

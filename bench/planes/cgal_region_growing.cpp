@@ -15,7 +15,8 @@ namespace detection = CGAL::Shape_detection;
 using Query = detection::Point_set::K_neighbor_query<Kernel, Cloud, PointMap>;
 using Region =
     detection::Point_set::Least_squares_plane_fit_region<Kernel, Cloud, PointMap, NormalMap>;
-using Sorting = detection::Point_set::Least_squares_plane_fit_sorting<Kernel, Cloud, Query, PointMap>;
+using Sorting =
+    detection::Point_set::Least_squares_plane_fit_sorting<Kernel, Cloud, Query, PointMap>;
 using Growing = detection::Region_growing<Cloud, Query, Region, Sorting::Seed_map>;
 
 struct Settings {

@@ -50,9 +50,9 @@ std::vector<Sweep> sweeps_of(const Recording& tour, const ScanConfig& config, Po
     const std::size_t middle = line.size() / 2;
     sweep.width = line.size();
     Pose T_odom_image = Pose::Identity();
-    T_odom_image.linear() = Eigen::Quaterniond::FromTwoVectors(Eigen::Vector3d::UnitZ(),
-                                                               line.directions[middle])
-                                .toRotationMatrix();
+    T_odom_image.linear() =
+        Eigen::Quaterniond::FromTwoVectors(Eigen::Vector3d::UnitZ(), line.directions[middle])
+            .toRotationMatrix();
     T_odom_image.translation() = line.origins[middle];
     sweep.T_map_image = T_map_odom(centre, line, poses) * T_odom_image;
     const Pose T_image_map = sweep.T_map_image.inverse(Eigen::Isometry);

@@ -11,8 +11,8 @@
 
 namespace ribbon_mapper::bench {
 
-/// The planes of a peer as the metrics know them: least-squares planes with their 5 cm cells, turned
-/// to where they were seen from; those below `least_area_m2` left out, as with us.
+/// The planes of a peer as the metrics know them: least-squares planes with their 5 cm cells,
+/// turned to where they were seen from; those below `least_area_m2` left out, as with us.
 std::vector<eval::Patch> patches_of(const std::vector<Points>& planes, const ViewField& views,
                                     double least_area_m2);
 

@@ -42,9 +42,10 @@ class Contest {
     }
     ours_s_ = median(seconds);
     f1 = metrics["f1"];
-    report_.add({section_,
-                 poses_ == Poses::true_ones ? "ours: lines, correction, planes" : "ours: lines, planes",
-                 ours_s_, item_ns(ours_s_), 1.0, peak_mb, text_of(metrics), metrics});
+    report_.add(
+        {section_,
+         poses_ == Poses::true_ones ? "ours: lines, correction, planes" : "ours: lines, planes",
+         ours_s_, item_ns(ours_s_), 1.0, peak_mb, text_of(metrics), metrics});
   }
 
   /// Returns the seconds, infinite if it did not finish.
@@ -56,13 +57,20 @@ class Contest {
       const double seconds = seconds_of([&] { planes = planes_of(); });
       const double peak_mb = peak_resident_mb() - before_mb;
       if (is_to_be_united) planes = united(planes);
-      return {{"seconds", seconds}, {"metrics", judged(patches_of(planes, views_, least_m2()))},
+      return {{"seconds", seconds},
+              {"metrics", judged(patches_of(planes, views_, least_m2()))},
               {"peak_mb", peak_mb}};
     };
     const auto result = run_in_child(work, inputs_.options.limit_s);
     if (!result) {
-      report_.add({section_, name, {}, {}, inputs_.options.limit_s / ours_s_, {},
-                   "stopped at the limit of CPU time", {}});
+      report_.add({section_,
+                   name,
+                   {},
+                   {},
+                   inputs_.options.limit_s / ours_s_,
+                   {},
+                   "stopped at the limit of CPU time",
+                   {}});
       return std::numeric_limits<double>::infinity();
     }
     const double seconds = result->value["seconds"];
@@ -79,9 +87,11 @@ class Contest {
       return peer(p.name + ", raw", [&] { return p.planes_of(cloud_.points); });
     };
     const auto sweeps = sweeps_of(inputs_.tour, inputs_.config.scan, poses_, kLinesPerSweep);
-    // No planes of the tour: PCL does not unite those of the sweeps. So it is no rival of the others.
-    per_sweep_s = peer("PCL organised multi-plane, per sweep; united by us",
-                       [&] { return pcl_organised_planes(sweeps); }, true);
+    // No planes of the tour: PCL does not unite those of the sweeps. So it is no rival of the
+    // others.
+    per_sweep_s = peer(
+        "PCL organised multi-plane, per sweep; united by us",
+        [&] { return pcl_organised_planes(sweeps); }, true);
     return std::min({on_raw(pcl_region_growing(Density::raw)),
                      on_raw(cgal_region_growing(Density::raw)),
                      on_raw(cgal_efficient_ransac(Density::raw))});

@@ -21,9 +21,9 @@ struct Scene {
 std::shared_ptr<Scene> scene_of(const std::vector<sim::Triangle>& triangles) {
   auto scene = std::make_shared<Scene>();
   RTCGeometry geometry = rtcNewGeometry(scene->device, RTC_GEOMETRY_TYPE_TRIANGLE);
-  auto* vertices = static_cast<float*>(
-      rtcSetNewGeometryBuffer(geometry, RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT3,
-                              3 * sizeof(float), 3 * triangles.size()));
+  auto* vertices = static_cast<float*>(rtcSetNewGeometryBuffer(geometry, RTC_BUFFER_TYPE_VERTEX, 0,
+                                                               RTC_FORMAT_FLOAT3, 3 * sizeof(float),
+                                                               3 * triangles.size()));
   auto* indices = static_cast<unsigned*>(
       rtcSetNewGeometryBuffer(geometry, RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT3,
                               3 * sizeof(unsigned), triangles.size()));
@@ -65,9 +65,8 @@ RayCasting embree(const std::vector<sim::Triangle>& triangles) {
     for (std::size_t i = 0; i < rays.size(); ++i) {
       RTCRayHit hit = ray_hit_of(rays[i], max_range_m);
       rtcIntersect1(scene->scene, &context, &hit);
-      ranges[i] = hit.hit.geomID == RTC_INVALID_GEOMETRY_ID
-                      ? std::numeric_limits<float>::infinity()
-                      : hit.ray.tfar;
+      ranges[i] = hit.hit.geomID == RTC_INVALID_GEOMETRY_ID ? std::numeric_limits<float>::infinity()
+                                                            : hit.ray.tfar;
     }
   };
 }

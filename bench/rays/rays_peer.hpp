@@ -15,8 +15,8 @@ namespace ribbon_mapper::bench {
 using sim::Ray;
 
 /// Ranges of first hits [m], infinite where there is none within `max_range_m`.
-using RayCasting =
-    std::function<void(const std::vector<Ray>& rays, double max_range_m, std::vector<float>& ranges)>;
+using RayCasting = std::function<void(const std::vector<Ray>& rays, double max_range_m,
+                                      std::vector<float>& ranges)>;
 
 /// btCollisionWorld::rayTest, one collision object for each shape.
 RayCasting bullet_ray_test(const std::vector<sim::Shape>& shapes);

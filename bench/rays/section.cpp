@@ -48,8 +48,8 @@ class Lines {
       for (int i = 0; i < hokuyo_.beam_count(); ++i) {
         const Pose T = T_map_laser(stamp + hokuyo_.beam_time(i));
         const double angle = hokuyo_.angle_min_rad() + i * angle_increment_rad;
-        rays.push_back({T.translation(),
-                        T.linear() * Eigen::Vector3d(std::cos(angle), std::sin(angle), 0.0)});
+        rays.push_back(
+            {T.translation(), T.linear() * Eigen::Vector3d(std::cos(angle), std::sin(angle), 0.0)});
       }
     }
     return rays;
@@ -66,8 +66,7 @@ RayCasting ours(const sim::World& world) {
   return [&world](const std::vector<Ray>& rays, double max_range_m, std::vector<float>& ranges) {
     for (std::size_t i = 0; i < rays.size(); ++i) {
       const auto hit = world.cast(rays[i].origin, rays[i].direction, max_range_m);
-      ranges[i] =
-          hit ? static_cast<float>(hit->range_m) : std::numeric_limits<float>::infinity();
+      ranges[i] = hit ? static_cast<float>(hit->range_m) : std::numeric_limits<float>::infinity();
     }
   };
 }
@@ -88,12 +87,15 @@ std::string differences(const std::vector<float>& a, const std::vector<float>& b
   std::size_t apart = 0;
   for (std::size_t i = 0; i < a.size(); ++i) {
     const double difference_m = a[i] == b[i] ? 0.0 : std::abs(a[i] - b[i]);
-    if (difference_m < 0.001) largest_m = std::max(largest_m, difference_m);
-    else ++apart;
+    if (difference_m < 0.001)
+      largest_m = std::max(largest_m, difference_m);
+    else
+      ++apart;
   }
   char text[128];
-  std::snprintf(text, sizeof text, "to World::cast: %zu of %zu rays differ by 1 mm or more, others %.3f mm",
-                apart, a.size(), 1e3 * largest_m);
+  std::snprintf(text, sizeof text,
+                "to World::cast: %zu of %zu rays differ by 1 mm or more, others %.3f mm", apart,
+                a.size(), 1e3 * largest_m);
   return text;
 }
 
@@ -124,8 +126,14 @@ void measure_rays(const Inputs& /*inputs*/, Report& report) {
   report.add({kSection, whole, {}, ours_ns, 1.0, {}, "", {{"rays_per_s", 1e9 / ours_ns}}});
   for (std::size_t i = 0; i < ways.size(); ++i) {
     const double row_ns = ns.at(ways[i].first);
-    report.add({kSection, ways[i].first, {}, row_ns, row_ns / ours_ns, {},
-                i > 0 ? differences(ranges[i], ranges[0]) : "", {{"rays_per_s", 1e9 / row_ns}}});
+    report.add({kSection,
+                ways[i].first,
+                {},
+                row_ns,
+                row_ns / ours_ns,
+                {},
+                i > 0 ? differences(ranges[i], ranges[0]) : "",
+                {{"rays_per_s", 1e9 / row_ns}}});
   }
   report.set("rays_vs_raytest", ns.at(ways[1].first) / ours_ns);
   report.set("rays_vs_embree", ns.at(ways[2].first) / ours_ns);

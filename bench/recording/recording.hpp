@@ -16,9 +16,9 @@ namespace ribbon_mapper::bench {
 /// One scan line as the robot had it, and what only the truth knows.
 struct RecordedLine {
   LaserBeams beams;
-  LinePoses poses;                                ///< with the errors of the localisation
-  Pose T_map_base_true = Pose::Identity();        ///< half way between the first and last beam
-  Pose T_map_odom_true = Pose::Identity();        ///< at the same time: takes odom to the truth
+  LinePoses poses;                          ///< with the errors of the localisation
+  Pose T_map_base_true = Pose::Identity();  ///< half way between the first and last beam
+  Pose T_map_odom_true = Pose::Identity();  ///< at the same time: takes odom to the truth
   std::vector<std::int32_t> faces;  ///< index into Recording::face_normals, -1: none or unknown
 };
 
@@ -31,7 +31,7 @@ struct Recording {
   std::vector<Eigen::Vector3d> face_normals;  ///< in map; zero: not planar
   std::vector<eval::Patch> truth;
 
-  std::size_t beam_count() const;   ///< of all lines
+  std::size_t beam_count() const;    ///< of all lines
   std::size_t return_count() const;  ///< beams with a finite range
 };
 

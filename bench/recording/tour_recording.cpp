@@ -32,8 +32,7 @@ RecordedLine recorded(const sim::Scan& scan, const sim::Tour& tour) {
   line.poses = {tour.T_odom_base(first), tour.T_odom_base(last), tour.T_base_laser(first),
                 tour.T_base_laser(last), tour.noisy_T_map_base(middle)};
   line.T_map_base_true = tour.true_T_map_base(middle);
-  line.T_map_odom_true =
-      line.T_map_base_true * tour.T_odom_base(middle).inverse(Eigen::Isometry);
+  line.T_map_odom_true = line.T_map_base_true * tour.T_odom_base(middle).inverse(Eigen::Isometry);
   line.faces.assign(scan.faces.begin(), scan.faces.end());
   return line;
 }
@@ -85,8 +84,7 @@ TourSource apartment_tour(int beams) {
 }
 
 Recording recording_of(const TourSource& source, const std::filesystem::path& cache) {
-  const std::size_t hash =
-      std::hash<std::string>()(text_of(source.world) + text_of(source.route));
+  const std::size_t hash = std::hash<std::string>()(text_of(source.world) + text_of(source.route));
   char suffix[32];
   std::snprintf(suffix, sizeof suffix, ".%016zx.tour", hash);
   const auto file = cache / (source.name + suffix);

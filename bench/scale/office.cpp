@@ -45,7 +45,7 @@ class Building {
     wall(x + kWidth_m / 2.0, (door_y + back_y) / 2.0, kWall_m, kDepth_m);
     const double shift_m = 0.1 * (column % 7);
     box(x - 1.6, back_y - side * (0.9 + shift_m), 0.72, 1.4, 0.8, 0.05);  // table
-    box(x + 2.1 , back_y - side * 0.9, 0.9, 0.5, 1.2, 1.8);               // cupboard
+    box(x + 2.1, back_y - side * 0.9, 0.9, 0.5, 1.2, 1.8);                // cupboard
     box(x + 1.0 - shift_m, back_y - side * 0.3, 0.4, 0.8, 0.4, 0.8);      // chest of drawers
   }
   std::string sdf() const {

@@ -41,7 +41,7 @@ void lines_over_planes(const Inputs& inputs, Report& report) {
       inputs.options.quick ? std::vector<std::size_t>{3, 30, 100}
                            : std::vector<std::size_t>{3, 10, 30, 100, 300, 1000};
   std::vector<double> x, y;
-  std::size_t fed = 0;
+  std::size_t fed = 0, planes_of_place = 0;
   for (const std::size_t number : numbers) {
     std::vector<double> seconds;
     for (; fed < number + kMeasured / 2; ++fed) {
@@ -50,11 +50,17 @@ void lines_over_planes(const Inputs& inputs, Report& report) {
     }
     x.push_back(static_cast<double>(number));
     y.push_back(median(seconds));
-    report.add({"growth: time of a line over planes", formatted("%zu places", number), y.back(), {},
-                y.back() / y.front(), {},
-                formatted("%zu planes as built, %zu ribbons", modeler.planes().size(),
-                          modeler.statistics().ribbons),
-                {{"places", number}, {"ribbons", modeler.statistics().ribbons}}});
+    if (planes_of_place == 0) planes_of_place = modeler.planes().size() / fed;
+    const std::size_t ribbons = modeler.statistics().ribbons;
+    report.add(
+        {"growth: time of a line over planes",
+         formatted("%zu places", number),
+         y.back(),
+         {},
+         y.back() / y.front(),
+         {},
+         formatted("about %zu planes as built, %zu ribbons", number * planes_of_place, ribbons),
+         {{"places", number}, {"ribbons", ribbons}}});
   }
   report.set("line_growth_exponent", fitted_exponent(x, y));
 }
@@ -99,11 +105,13 @@ void correction_over_ribbons(const Inputs& inputs, Report& report) {
     const nlohmann::json& result = run->value;
     x.push_back(result["ribbons"]);
     y.push_back(result["seconds"]);
-    const double tenth_over_all =
-        result["tenth_s"].get<double>() / result["all_s"].get<double>();
+    const double tenth_over_all = result["tenth_s"].get<double>() / result["all_s"].get<double>();
     const double bytes_per_m2 = result["bytes"].get<double>() / result["area_m2"].get<double>();
     report.add({"growth: correction and planes over ribbons",
-                formatted("%.0f ribbons", x.back()), y.back(), 1e9 * y.back() / x.back(), {},
+                formatted("%.0f ribbons", x.back()),
+                y.back(),
+                1e9 * y.back() / x.back(),
+                {},
                 run->peak_mb,
                 formatted("%d planes, %.0f bytes per m2; a tenth moved: %.2f of all moved",
                           result["planes"].get<int>(), bytes_per_m2, tenth_over_all),
@@ -133,16 +141,20 @@ void offices(const Inputs& inputs, Report& report) {
   std::vector<double> rooms_x, line_y, correction_y;
   const auto numbers = inputs.options.quick ? std::vector<int>{4} : std::vector<int>{4, 12, 36};
   for (const int rooms : numbers) {
-    const Recording tour = recording_of(office_tour(rooms, inputs.options.output),
-                                        inputs.options.output);
+    const Recording tour =
+        recording_of(office_tour(rooms, inputs.options.output), inputs.options.output);
     const auto run = run_in_child([&] { return office_run(inputs, tour); }, inputs.options.limit_s);
     if (!run) throw std::runtime_error("an office took longer than the limit of CPU time");
     const nlohmann::json& result = run->value;
     rooms_x.push_back(rooms);
     line_y.push_back(result["line_s"]);
     correction_y.push_back(result["seconds"]);
-    report.add({"growth: a floor of offices", formatted("%d rooms: correction and planes", rooms),
-                correction_y.back(), {}, {}, run->peak_mb,
+    report.add({"growth: a floor of offices",
+                formatted("%d rooms: correction and planes", rooms),
+                correction_y.back(),
+                {},
+                {},
+                run->peak_mb,
                 formatted("line %.0f us, %d ribbons, %.0f bytes per m2; ", 1e6 * line_y.back(),
                           result["ribbons"].get<int>(),
                           result["bytes"].get<double>() / result["area_m2"].get<double>()) +
