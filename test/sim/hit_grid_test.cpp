@@ -10,7 +10,7 @@
 namespace ribbon_mapper::sim {
 namespace {
 
-TEST(HitGrid, KeepsTheFirstFaceOfEachCell) {
+TEST(HitGrid, KeepsTheFirstFaceAndNumberOfEachCell) {
   std::mt19937 random(3);
   std::uniform_int_distribution<int> near(-40, 40), far(-2000000, 2000000);
   HitGrid grid;
@@ -18,8 +18,9 @@ TEST(HitGrid, KeepsTheFirstFaceOfEachCell) {
   for (int face = 0; face < 5000; ++face) {
     auto& place = face % 10 == 0 ? far : near;
     const int u = place(random), v = place(random);
-    grid.add(u, v, face);
-    expected.emplace(std::make_pair(u, v), face);
+    const int number = grid.add(u, v, face, 10 * face);
+    const auto first = expected.emplace(std::make_pair(u, v), face).first;
+    EXPECT_EQ(number, 10 * first->second);
   }
   std::map<std::pair<int, int>, int> found;
   for (const HitCell& cell : grid.cells())
