@@ -25,7 +25,7 @@ class Recorder {
  public:
   explicit Recorder(const std::filesystem::path& file)
       : bag_(file.string(), rosbag::bagmode::Write) {
-    bag_.setCompression(rosbag::compression::BZ2);
+    bag_.setCompression(rosbag::compression::LZ4);
   }
 
   template <typename Message>
