@@ -3,21 +3,31 @@
 SHELL := /bin/bash
 .DEFAULT_GOAL := help
 JOBS ?= $(shell nproc)
+GROUP :=
 
 build: ## install what is needed, configure and build
-	./install_dependencies
+	./install_dependencies $(GROUP)
 	cmake -S . -B build -DPYTHON_EXECUTABLE=/usr/bin/python3 -DPython3_EXECUTABLE=/usr/bin/python3
 	cmake --build build -j $(JOBS)
 
+test: GROUP = test
 test: build ## all tests
 	ctest --test-dir build --output-on-failure
 
 # A port of its own, so that a ROS master which runs already is left alone.
 demo: export ROS_MASTER_URI = http://localhost:11411
 demo: export ROS_HOSTNAME = localhost
+demo: GROUP = $(if $(findstring rviz:=true,$(ARGS)),rviz)
 demo: build ## the whole chain in a simulated flat, results in results/loop_closure
 	source build/devel/setup.bash && roslaunch ribbon_mapper loop_closure.launch \
 	  output:=$(CURDIR)/results/loop_closure $(ARGS)
+
+bench: ## speed and memory beside the packaged peers, results in results/bench
+	./install_dependencies bench
+	cmake -S . -B build -DRIBBON_MAPPER_BENCH=ON \
+	  -DPYTHON_EXECUTABLE=/usr/bin/python3 -DPython3_EXECUTABLE=/usr/bin/python3
+	cmake --build build --target bench -j $(JOBS)
+	build/devel/lib/ribbon_mapper/bench --output results/bench $(ARGS)
 
 clean: ## forget everything that was built
 	rm -rf build
@@ -25,4 +35,4 @@ clean: ## forget everything that was built
 help: ## this list
 	@grep -E '^[a-z]+:.*##' Makefile | sed 's/:.*##/\t/'
 
-.PHONY: build test demo clean help
+.PHONY: build test demo bench clean help

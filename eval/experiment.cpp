@@ -5,6 +5,9 @@
 #include <algorithm>
 #include <chrono>
 
+#include "eval/lines.hpp"
+#include "eval/point_truth.hpp"
+#include "eval/statistics.hpp"
 #include "eval/world_outlines.hpp"
 #include "modeler/modeler.hpp"
 #include "sim/truth.hpp"
@@ -22,23 +25,6 @@ double seconds_of(const Work& work) {
   return std::chrono::duration<double>(Clock::now() - start).count();
 }
 
-LaserBeams beams_of(const sim::Scan& scan) {
-  return {scan.stamp,
-          scan.angle_min_rad,
-          scan.angle_increment_rad,
-          scan.time_increment_s,
-          scan.range_min_m,
-          scan.range_max_m,
-          scan.ranges_m};
-}
-
-/// What tf says on the robot: poses with the errors of its localisation.
-LinePoses noisy_poses(const sim::Tour& tour, const LaserBeams& beams) {
-  const Time first = beams.stamp, last = end_of(beams);
-  return {tour.T_odom_base(first), tour.T_odom_base(last), tour.T_base_laser(first),
-          tour.T_base_laser(last), tour.noisy_T_map_base(middle_of(beams))};
-}
-
 /// What became of the lines, and how long they took.
 struct LineLog {
   std::size_t dropped = 0;
@@ -50,15 +36,16 @@ bool is_dropped(LineResult result) {
   return result == LineResult::malformed || result == LineResult::out_of_order;
 }
 
-double median(std::vector<double> values) {
-  if (values.empty()) return 0.0;
-  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-  std::nth_element(values.begin(), middle, values.end());
-  return *middle;
-}
+/// What the simulator knows of the world, and of each beam.
+struct Truth {
+  explicit Truth(const sim::World& world) : collector(world) {}
+  void add(const sim::Scan& scan) { points.add(middle_of(beams_of(scan)), collector.add(scan)); }
 
-LineLog drive(sim::Tour& tour, Modeler& modeler, sim::TruthCollector& truth,
-              const ProgressCallback& progress) {
+  sim::TruthCollector collector;
+  PointTruth points;
+};
+
+LineLog drive(sim::Tour& tour, Modeler& modeler, Truth& truth, const ProgressCallback& progress) {
   LineLog log;
   while (const std::optional<sim::Scan> scan = tour.next_scan()) {
     const LaserBeams beams = beams_of(*scan);
@@ -67,7 +54,7 @@ LineLog drive(sim::Tour& tour, Modeler& modeler, sim::TruthCollector& truth,
     log.line_s.push_back(seconds_of([&] { result = modeler.add_scan_line(beams, poses); }));
     log.total_s += log.line_s.back();
     log.dropped += is_dropped(result) ? 1 : 0;
-    truth.add(*scan, tour);
+    truth.add(*scan);
     progress({log.line_s.size(), tour.line_count(), modeler.statistics().ribbons,
               to_seconds(beams.stamp), log.total_s});
   }
@@ -80,12 +67,19 @@ std::vector<StampedPose> true_poses(const sim::Tour& tour, std::vector<StampedPo
   return trajectory;
 }
 
-std::vector<Patch> patches_of(const sim::TruthCollector& truth) {
+std::vector<Patch> patches_of(const std::vector<sim::TruthPlane>& planes) {
   std::vector<Patch> patches;
-  for (const sim::TruthPlane& plane : truth.planes()) {
+  for (const sim::TruthPlane& plane : planes) {
     patches.push_back({plane.normal, plane.d_m, plane.area_m2, plane.cells});
   }
   return patches;
+}
+
+PointMetrics point_metrics(const PointTruth& truth, const Modeler& modeler,
+                           const std::vector<Plane>& planes) {
+  const Overlaps of_ribbons = truth.overlaps(modeler, planes, PointTruth::Points::of_ribbons);
+  const Overlaps all = truth.overlaps(modeler, planes, PointTruth::Points::all);
+  return {segcomp(of_ribbons), evops(of_ribbons), duplication(of_ribbons), segcomp(all)};
 }
 
 Summary summary_of(const LineLog& log, const sim::Tour& tour, const Modeler& modeler) {
@@ -93,7 +87,7 @@ Summary summary_of(const LineLog& log, const sim::Tour& tour, const Modeler& mod
   summary.lines = log.line_s.size();
   summary.dropped_lines = log.dropped;
   summary.ribbons = modeler.statistics().ribbons;
-  summary.us_per_line = 1e6 * median(log.line_s);
+  summary.us_per_line = 1e6 * quantile(log.line_s, 0.5);
   summary.real_time_factor = to_seconds(tour.duration()) / log.total_s;
   return summary;
 }
@@ -105,12 +99,14 @@ Results run_experiment(const sim::World& world, const sim::Route& route,
                        const ProgressCallback& progress) {
   sim::Tour tour(world, route, tour_config);
   Modeler modeler(modeler_config);
-  sim::TruthCollector truth(world);
+  Truth truth(world);
   const LineLog log = drive(tour, modeler, truth, progress);
 
   Results results;
   results.summary = summary_of(log, tour, modeler);
-  results.truth = patches_of(truth);
+  const std::vector<sim::TruthPlane> true_planes = truth.collector.planes();
+  truth.points.settle(true_planes);
+  results.truth = patches_of(true_planes);
   results.world_outlines = world_outlines(world);
   results.models.noisy_raw = modeler.planes();
   results.models.noisy_merged = modeler.merged_planes();
@@ -123,6 +119,13 @@ Results run_experiment(const sim::World& world, const sim::Route& route,
   results.models.corrected_merged = modeler.merged_planes();
   results.trajectory_after = modeler.trajectory();
   evaluate(results);
+  results.summary.points = for_each_cell(results.models, [&](const std::vector<Plane>& planes) {
+    return point_metrics(truth.points, modeler, planes);
+  });
+  if (const auto errors = truth.points.ribbon_errors(modeler)) {
+    results.summary.ribbon_angle_deg = errors->angle_deg;
+    results.summary.ribbon_distance_m = errors->distance_m;
+  }
   return results;
 }
 

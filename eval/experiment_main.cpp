@@ -5,81 +5,110 @@
 
 #include <cstdio>
 #include <exception>
+#include <fstream>
 #include <mutex>
+#include <optional>
 
-#include "eval/experiment.hpp"
+#include "eval/calibrate.hpp"
 #include "eval/experiment_options.hpp"
 #include "eval/figure.hpp"
 #include "eval/progress_bar.hpp"
+#include "eval/run.hpp"
+#include "eval/run_log.hpp"
 #include "eval/share.hpp"
 #include "eval/spread.hpp"
 #include "eval/sweep.hpp"
 #include "modeler/io/atomic_file.hpp"
-#include "modeler/io/config_file.hpp"
+#include "modeler/io/calibrated_preset.hpp"
 
 namespace {
 
 using namespace ribbon_mapper;
 using namespace ribbon_mapper::eval;
-namespace fs = std::filesystem;
-
-sim::TourConfig tour_config(const ExperimentOptions& options, std::uint64_t seed) {
-  sim::TourConfig config;
-  config.seed = seed;
-  config.hokuyo.noise = sim::range_noise_from(options.noise);
-  config.tilt = sim::TiltProfileConfig::preset(options.tilt);
-  config.localisation.drift = options.drift;
-  return config;
-}
-
-/// A world for one thread alone: its contact test is not for several at once, nor is the reader.
-sim::World load_world(const ExperimentOptions& options) {
-  static std::mutex mutex;
-  const std::lock_guard<std::mutex> lock(mutex);
-  return sim::World::load(find_shared(options.world).string(), options.model_paths);
-}
-
-/// One run with its files in `directory`.
-Summary run_seed(const ExperimentOptions& options, std::uint64_t seed, const fs::path& directory,
-                 const ProgressCallback& progress) {
-  const ModelerConfig modeler_config = load_config(find_shared(options.config).string());
-  const sim::World world = load_world(options);
-  const sim::Route route = sim::Route::load(route_path(options).string());
-  Results results =
-      run_experiment(world, route, tour_config(options, seed), modeler_config, progress);
-  results.summary.command = command_of(options, seed);
-  results.summary.world = shared_name(find_shared(options.world)).string();
-  results.summary.route = shared_name(route_path(options)).string();
-  results.summary.seed = seed;
-  results.summary.drift = options.drift;
-  write_results(results, directory);
-  if (options.with_figure) draw_figure(directory);
-  return results.summary;
-}
 
 void run_one(const ExperimentOptions& options) {
   create_directory_for_files(options.output);  // better now than after the tour
   Summary summary;
   {
     ProgressBar bar;
-    summary = run_seed(options, options.seeds.front(), options.output,
-                       [&](const Progress& progress) { bar.show(progress); });
+    const Results results = make_run(options.runs.front(), [&](const Progress& p) { bar.show(p); });
+    write_results(results, options.output);
+    summary = results.summary;
   }
+  if (options.with_figure) draw_figure(Figure::before_after, options.output);
   std::printf("%s\nresults in %s\n", summary_table(summary).c_str(), options.output.c_str());
 }
 
-void run_many(const ExperimentOptions& options) {
+/// For machines that share no disk: whoever started the runs gathers their lines.
+void print_lines(const ExperimentOptions& options) {
+  ProgressBar bar;
+  const auto line_of = [](const RunOptions& run, const ProgressCallback& progress) {
+    return run_line(make_run(run, progress).summary, inputs_of(run));
+  };
+  make_runs(options.runs, options.jobs, line_of, bar);
+}
+
+std::vector<RunOptions> missing_runs(const ExperimentOptions& options, const RunLog& log) {
+  std::vector<RunOptions> missing;
+  for (const RunOptions& run : options.runs) {
+    if (!log.has(run, inputs_of(run))) missing.push_back(run);
+  }
+  return missing;
+}
+
+void sweep(const ExperimentOptions& options, RunLog& log) {
+  const std::vector<RunOptions> missing = missing_runs(options, log);
+  if (missing.size() < options.runs.size()) {
+    std::printf("%zu of %zu runs are done already\n", options.runs.size() - missing.size(),
+                options.runs.size());
+  }
+  if (missing.empty()) return;
+  std::ofstream timings(options.output / "timings.jsonl", std::ios::app);
+  std::mutex mutex;
+  ProgressBar bar;
+  const std::size_t label_width = label_width_of(options.runs);
+  bar.print(spread_head(label_width));
+  const auto run_and_log = [&](const RunOptions& run, const ProgressCallback& progress) {
+    const Summary summary = make_run(run, progress).summary;
+    const std::string line = run_line(summary, inputs_of(run));
+    const std::lock_guard<std::mutex> lock(mutex);
+    log.append(line);
+    timings << timing_line(summary) << std::flush;
+    return spread_row(label_of(run, options.runs), record_of(line), label_width);
+  };
+  make_runs(missing, options.jobs, run_and_log, bar);
+}
+
+void run_sweep(const ExperimentOptions& options) {
   create_directory_for_files(options.output);
-  std::vector<Summary> summaries;
+  RunLog log(options.output / "runs.jsonl");
+  sweep(options, log);
+  log.sort();
+  const std::vector<Record> records = log.records_of(options.runs);
+  write_file_atomically(options.output / "summary.json",
+                        sweep_summary_to_json(records, options.command));
+  const bool has_doses = records.front().run.drift != records.back().run.drift;
+  if (options.with_figure && has_doses) draw_figure(Figure::dose_response, options.output);
+  std::printf("%s\nresults in %s\n", spread_foot(records, label_width_of(options.runs)).c_str(),
+              options.output.c_str());
+}
+
+/// The preset, which names what it was learned from, and the figures.
+void calibrate(const ExperimentOptions& options) {
+  create_directory_for_files(options.output);
+  RunOptions run = options.runs.front();
+  if (run.route.empty()) {
+    run.route = find_shared(run.world).replace_extension().string() + "_calibration.route.yaml";
+  }
+  std::optional<Calibration> calibration;
   {
     ProgressBar bar;
-    const auto run = [&](std::uint64_t seed, const ProgressCallback& progress) {
-      return run_seed(options, seed, options.output / ("seed_" + std::to_string(seed)), progress);
-    };
-    summaries = run_seeds(options.seeds, options.jobs, run, bar);
+    calibration = make_calibration(run, [&](const Progress& p) { bar.show(p); });
   }
-  write_file_atomically(options.output / "spread.json", spread_to_json(summaries));
-  std::printf("%s\nresults in %s\n", spread_foot(summaries).c_str(), options.output.c_str());
+  const auto preset = options.output / "calibrated.yaml";
+  write_file_atomically(preset,
+                        calibrated_preset(modeler_config(run), *calibration, options.command));
+  std::printf("%s\npreset in %s\n", calibration_table(*calibration).c_str(), preset.c_str());
 }
 
 }  // namespace
@@ -89,7 +118,13 @@ int main(int argc, char** argv) {
   if (const int* exit_code = std::get_if<int>(&options)) return *exit_code;
   try {
     const auto& chosen = std::get<ExperimentOptions>(options);
-    chosen.many_seeds ? run_many(chosen) : run_one(chosen);
+    if (chosen.calibrate) {
+      calibrate(chosen);
+    } else if (chosen.line_only) {
+      print_lines(chosen);
+    } else {
+      chosen.is_sweep ? run_sweep(chosen) : run_one(chosen);
+    }
     return 0;
   } catch (const std::exception& error) {
     std::fprintf(stderr, "experiment: %s\n", error.what());

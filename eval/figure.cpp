@@ -30,15 +30,28 @@ int run(std::string program, std::string script, std::string argument) {
   return WIFEXITED(status) ? WEXITSTATUS(status) : -1;
 }
 
+const char* name_of(Figure figure) {
+  switch (figure) {
+    case Figure::before_after:
+      return "before_after";
+    case Figure::dose_response:
+      return "dose_response";
+    case Figure::model_views:
+      return "model_views";
+  }
+  return "";
+}
+
 }  // namespace
 
-bool draw_figure(const std::filesystem::path& directory, const std::string& name) {
-  const auto script = share_directory() / "eval" / "figures" / name;
+bool draw_figure(Figure figure, const std::filesystem::path& directory) {
+  const std::string name = name_of(figure);
+  const auto script = share_directory() / "eval" / "figures" / (name + ".py");
   if (run(RIBBON_MAPPER_PYTHON, script.string(), directory.string()) == 0) return true;
   std::fprintf(stderr,
-               "warning: the figure was not drawn (see above; is python3-matplotlib installed?); "
-               "%s %s %s draws it from the files\n",
-               RIBBON_MAPPER_PYTHON, script.c_str(), directory.c_str());
+               "warning: %s.svg and .png were not drawn (see above; is python3-matplotlib "
+               "installed?); %s %s %s draws them from the files\n",
+               name.c_str(), RIBBON_MAPPER_PYTHON, script.c_str(), directory.c_str());
   return false;
 }
 

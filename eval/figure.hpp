@@ -3,14 +3,17 @@
 #pragma once
 
 #include <filesystem>
-#include <string>
 
 namespace ribbon_mapper::eval {
 
-/// Has a script of eval/figures draw from the files in `directory`, with matplotlib in a process of
-/// its own: before_after.py from those of write_results(), model_views.py from those of
-/// offline_modeler. False, and a warning on stderr, if that cannot be done.
-bool draw_figure(const std::filesystem::path& directory,
-                 const std::string& script = "before_after.py");
+enum class Figure {
+  before_after,   ///< the planes of a run, from the files of write_results()
+  dose_response,  ///< counts and F1 against drift, from the summary.json of a sweep
+  model_views,    ///< a model from above and from the side, from the files of offline_modeler
+};
+
+/// Draws <name>.svg and <name>.png from the files in `directory`, with matplotlib in a process of
+/// its own. False, and a warning on stderr, if that cannot be done.
+bool draw_figure(Figure figure, const std::filesystem::path& directory);
 
 }  // namespace ribbon_mapper::eval

@@ -8,6 +8,7 @@
 #include <tuple>
 
 #include "eval/cell_index.hpp"
+#include "eval/statistics.hpp"
 
 namespace ribbon_mapper::eval {
 namespace {
@@ -115,15 +116,19 @@ bool goes_first(const Pair& a, const Pair& b) {
          std::make_tuple(a.shared_truth_cells, b.offset_m, b.estimate, b.truth);
 }
 
-void set_means(const std::vector<Pair>& matches, MapMetrics& metrics) {
+void set_errors(const std::vector<Pair>& matches, MapMetrics& metrics) {
   if (matches.empty()) return;
-  double angle_deg = 0.0, offset_m = 0.0;
+  std::vector<double> angles_deg, offsets_m;
   for (const Pair& match : matches) {
-    angle_deg += match.angle_deg;
-    offset_m += match.offset_m;
+    angles_deg.push_back(match.angle_deg);
+    offsets_m.push_back(match.offset_m);
   }
-  metrics.angle_error_deg_mean = angle_deg / static_cast<double>(matches.size());
-  metrics.offset_error_m_mean = offset_m / static_cast<double>(matches.size());
+  metrics.angle_error_deg_mean = mean_of(angles_deg);
+  metrics.angle_error_deg_median = quantile(angles_deg, 0.5);
+  metrics.offset_error_m_mean = mean_of(offsets_m);
+  metrics.offset_error_m_median = quantile(offsets_m, 0.5);
+  metrics.duplication_ratio =
+      1.0 + static_cast<double>(metrics.duplicates.size()) / static_cast<double>(matches.size());
 }
 
 void set_ratios(MapMetrics& metrics) {
@@ -160,7 +165,7 @@ MapMetrics compare_maps(const std::vector<Patch>& estimates, const std::vector<P
   for (std::size_t e = 0; e < estimates.size(); ++e) {
     if (!has_partner[e]) (is_candidate[e] ? metrics.duplicates : metrics.extra).push_back(e);
   }
-  set_means(matches, metrics);
+  set_errors(matches, metrics);
   set_ratios(metrics);
   return metrics;
 }

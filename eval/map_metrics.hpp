@@ -32,8 +32,12 @@ struct MapMetrics {
   double f1 = 0.0;
   /// Share of the true area that a compatible estimate (angle, offset, side) has seen cells on.
   double coverage = 0.0;
-  std::optional<double> angle_error_deg_mean;  ///< over matched pairs, nothing without any
-  std::optional<double> offset_error_m_mean;   ///< estimate's centroid from the true plane, |.|
+
+  // Over matched pairs, nothing without any. Offset: of the estimate's centroid from the true plane.
+  std::optional<double> angle_error_deg_mean, angle_error_deg_median;
+  std::optional<double> offset_error_m_mean, offset_error_m_median;
+  /// Estimates per true plane that has one: (matched + duplicates) / matched.
+  std::optional<double> duplication_ratio;
 };
 
 /// Pairs are taken in the order of the true cells they share, largest first; equals in the order

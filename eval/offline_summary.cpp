@@ -6,6 +6,8 @@
 #include <nlohmann/json.hpp>
 #include <sstream>
 
+#include "eval/version.hpp"
+
 namespace ribbon_mapper::eval {
 
 std::size_t dropped_total(const OfflineSummary& summary) {
@@ -41,7 +43,7 @@ std::string summary_to_json(const OfflineSummary& s) {
       {"wall_s", s.wall_s},
       {"cpu_s", s.cpu_s},
       {"peak_memory_mib", s.peak_memory_mib},
-      {"version", RIBBON_MAPPER_VERSION}};
+      {"version", version()}};
   return json.dump(2) + "\n";
 }
 

@@ -60,12 +60,9 @@ double degrees(double angle_rad) { return angle_rad * 180.0 / 3.1415926535897932
 }  // namespace
 
 void evaluate(Results& results) {
-  const auto score = [&](const std::vector<Plane>& planes) {
+  results.summary.cells = for_each_cell(results.models, [&](const std::vector<Plane>& planes) {
     return compare_maps(patches_of(planes), results.truth);
-  };
-  const FourModels& models = results.models;
-  results.summary.cells = {score(models.noisy_raw), score(models.noisy_merged),
-                           score(models.corrected_raw), score(models.corrected_merged)};
+  });
   if (results.trajectory_before.empty() || results.trajectory_truth.empty()) return;
   const Pose T_truth_estimate = results.trajectory_truth.back().T_map_base.inverse() *
                                 results.trajectory_before.back().T_map_base;

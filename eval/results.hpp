@@ -13,13 +13,7 @@
 
 namespace ribbon_mapper::eval {
 
-/// The models that the four cells of a table compare with the truth.
-struct FourModels {
-  std::vector<Plane> noisy_raw;
-  std::vector<Plane> noisy_merged;
-  std::vector<Plane> corrected_raw;
-  std::vector<Plane> corrected_merged;
-};
+using FourModels = PerCell<std::vector<Plane>>;
 
 /// What a tour leaves behind.
 struct Results {

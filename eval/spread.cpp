@@ -9,122 +9,171 @@
 #include <limits>
 #include <nlohmann/json.hpp>
 
+#include "eval/statistics.hpp"
+#include "eval/version.hpp"
+
 namespace ribbon_mapper::eval {
 namespace {
 
-constexpr double kNothing = std::numeric_limits<double>::quiet_NaN();
-
-const MapMetrics& result(const Summary& s) { return s.cells.corrected_merged; }
-
-/// A figure of a run: its key in summary.json, and how the table shows it.
+/// How the table shows a figure of a run.
 struct Column {
   const char* key;
   const char* head;
   int width, decimals;
   double scale;  ///< of the table's unit
-  double (*value)(const Summary&);
 };
 
-const std::array<Column, 15> kColumns{{
-    {"planes_noisy_raw", "noisy", 6, 0, 1,
-     [](const Summary& s) { return double(s.cells.noisy_raw.planes); }},
-    {"planes_noisy_merged", "merged", 7, 0, 1,
-     [](const Summary& s) { return double(s.cells.noisy_merged.planes); }},
-    {"planes_corrected_raw", "corrected", 10, 0, 1,
-     [](const Summary& s) { return double(s.cells.corrected_raw.planes); }},
-    {"planes_corrected_merged", "merged", 7, 0, 1,
-     [](const Summary& s) { return double(result(s).planes); }},
-    {"truth_planes", "truth", 6, 0, 1, [](const Summary& s) { return double(result(s).truth); }},
-    {"missed", "missed", 7, 0, 1, [](const Summary& s) { return double(result(s).missed.size()); }},
-    {"extra", "extra", 6, 0, 1, [](const Summary& s) { return double(result(s).extra.size()); }},
-    {"duplicates", "double", 7, 0, 1,
-     [](const Summary& s) { return double(result(s).duplicates.size()); }},
-    {"f1", "f1", 6, 3, 1, [](const Summary& s) { return result(s).f1; }},
-    {"angle_error_deg_mean", "deg", 6, 2, 1,
-     [](const Summary& s) { return result(s).angle_error_deg_mean.value_or(kNothing); }},
-    {"offset_error_m_mean", "mm", 6, 1, 1000,
-     [](const Summary& s) { return result(s).offset_error_m_mean.value_or(kNothing); }},
-    {"end_drift_m", "off m", 7, 2, 1, [](const Summary& s) { return s.end_drift_m; }},
-    {"end_drift_deg", "off deg", 8, 1, 1, [](const Summary& s) { return s.end_drift_deg; }},
-    {"us_per_line", "us/line", 8, 0, 1, [](const Summary& s) { return s.us_per_line; }},
-    {"correction_ms", "corr. ms", 9, 0, 1, [](const Summary& s) { return s.correction_ms; }},
+const std::array<Column, 14> kColumns{{
+    {"planes_noisy_raw", "noisy", 6, 0, 1},
+    {"planes_noisy_merged", "merged", 7, 0, 1},
+    {"planes_corrected_raw", "corrected", 10, 0, 1},
+    {"planes_corrected_merged", "merged", 7, 0, 1},
+    {"truth_planes", "truth", 6, 0, 1},
+    {"missed", "missed", 7, 0, 1},
+    {"extra", "extra", 6, 0, 1},
+    {"duplicates", "double", 7, 0, 1},
+    {"f1", "f1", 6, 3, 1},
+    {"four_cells.corrected_merged.segcomp.correct", "segcomp", 8, 0, 1},
+    {"angle_error_deg_median", "deg", 6, 2, 1},
+    {"offset_error_m_median", "mm", 6, 1, 1000},
+    {"end_drift_m", "off m", 7, 2, 1},
+    {"end_drift_deg", "off deg", 8, 1, 1},
 }};
 
+template <typename... Arguments>
+std::string format(const char* pattern, Arguments... arguments) {
+  std::array<char, 256> text;
+  std::snprintf(text.data(), text.size(), pattern, arguments...);
+  return text.data();
+}
+
 template <typename Value>
-std::string table_row(const std::string& name, const Value& value_of) {
-  std::array<char, 32> text;
-  std::snprintf(text.data(), text.size(), "%-8s", name.c_str());
-  std::string row = text.data();
+std::string table_row(const std::string& label, std::size_t label_width, const Value& value_of) {
+  std::string row = format("%-*s", static_cast<int>(label_width), label.c_str());
   for (const Column& column : kColumns) {
-    const double value = value_of(column) * column.scale;
-    std::snprintf(text.data(), text.size(), "%*.*f", column.width, column.decimals, value);
-    row += std::isnan(value) ? std::string(std::size_t(column.width) - 1, ' ') + "-" : text.data();
+    const double value = value_of(column.key) * column.scale;
+    row += std::isnan(value) ? format("%*s", column.width, "-")
+                             : format("%*.*f", column.width, column.decimals, value);
   }
   return row + "\n";
 }
 
-bool is_right(const Summary& summary) {
-  const MapMetrics& m = result(summary);
-  return m.missed.empty() && m.extra.empty() && m.duplicates.empty();
+double figure(const Record& record, const std::string& key) {
+  const auto found = record.figures.find(key);
+  return found == record.figures.end() ? std::numeric_limits<double>::quiet_NaN() : found->second;
 }
 
-long right_count(const std::vector<Summary>& summaries) {
-  return std::count_if(summaries.begin(), summaries.end(), is_right);
+bool is_right(const Record& r) {
+  return figure(r, "missed") == 0 && figure(r, "extra") == 0 && figure(r, "duplicates") == 0;
 }
 
-struct Spread {
-  double least = kNothing, median = kNothing, most = kNothing;
-};
+long right_count(const std::vector<Record>& records) {
+  return std::count_if(records.begin(), records.end(), is_right);
+}
 
-/// Over the runs that have the figure.
-Spread spread_of(const std::vector<Summary>& summaries, const Column& column) {
+/// Quantile over the runs that have the figure.
+double spread_of(const std::vector<Record>& records, const std::string& key, double share) {
   std::vector<double> values;
-  for (const Summary& summary : summaries) values.push_back(column.value(summary));
-  values.erase(std::remove_if(values.begin(), values.end(), [](double v) { return std::isnan(v); }),
-               values.end());
-  if (values.empty()) return {};
-  std::sort(values.begin(), values.end());
-  const std::size_t half = values.size() / 2;
-  const double median =
-      values.size() % 2 == 1 ? values[half] : 0.5 * (values[half - 1] + values[half]);
-  return {values.front(), median, values.back()};
+  for (const Record& record : records) {
+    const double value = figure(record, key);
+    if (!std::isnan(value)) values.push_back(value);
+  }
+  return quantile(values, share);
+}
+
+std::vector<std::vector<Record>> groups_of(const std::vector<Record>& records) {
+  std::vector<std::vector<Record>> groups;
+  for (const Record& record : records) {
+    if (groups.empty() || !is_repetition(groups.back().front().run, record.run)) {
+      groups.emplace_back();
+    }
+    groups.back().push_back(record);
+  }
+  return groups;
+}
+
+std::vector<RunOptions> runs_of(const std::vector<Record>& records) {
+  std::vector<RunOptions> runs;
+  for (const Record& record : records) runs.push_back(record.run);
+  return runs;
+}
+
+/// The label of its runs, without their seed.
+std::string group_label(const std::vector<Record>& group, const std::vector<RunOptions>& all) {
+  const std::string label = label_of(group.front().run, all);
+  const std::size_t seed = label.rfind("seed ");
+  return seed >= 2 ? label.substr(0, seed - 2) : "";
+}
+
+nlohmann::ordered_json spread_json(const std::vector<Record>& group) {
+  nlohmann::ordered_json json = nlohmann::ordered_json::object();
+  for (const auto& entry : group.front().figures) {
+    const auto at = [&](double share) { return spread_of(group, entry.first, share); };
+    json[entry.first] = {{"least", at(0.0)},
+                         {"lower_quartile", at(0.25)},
+                         {"median", at(0.5)},
+                         {"upper_quartile", at(0.75)},
+                         {"most", at(1.0)}};
+  }
+  return json;
+}
+
+/// The conditions as the lines have them.
+nlohmann::ordered_json group_json(const std::vector<Record>& group) {
+  const auto line = nlohmann::ordered_json::parse(group.front().line);
+  nlohmann::ordered_json json;
+  for (const char* key :
+       {"world", "route", "config", "noise", "tilt", "beams", "speed_m_s", "deskew", "drift"}) {
+    json[key] = line.at(key);
+  }
+  json["runs"] = group.size();
+  json["right"] = right_count(group);
+  json["spread"] = spread_json(group);
+  return json;
 }
 
 }  // namespace
 
-std::string spread_head() {
-  std::string head = "seed    ";
-  std::array<char, 32> text;
-  for (const Column& column : kColumns) {
-    std::snprintf(text.data(), text.size(), "%*s", column.width, column.head);
-    head += text.data();
-  }
+std::string spread_head(std::size_t label_width) {
+  std::string head(label_width, ' ');
+  for (const Column& column : kColumns) head += format("%*s", column.width, column.head);
   return head + "\n";
 }
 
-std::string spread_row(const Summary& summary) {
-  return table_row(std::to_string(summary.seed),
-                   [&](const Column& column) { return column.value(summary); });
+std::string spread_row(const std::string& label, const Record& record, std::size_t label_width) {
+  return table_row(label, label_width, [&](const char* key) { return figure(record, key); });
 }
 
-std::string spread_foot(const std::vector<Summary>& summaries) {
-  const auto row = [&](const char* name, double Spread::*which) {
-    return table_row(name, [&](const Column& c) { return spread_of(summaries, c).*which; });
-  };
-  return row("least", &Spread::least) + row("median", &Spread::median) +
-         row("most", &Spread::most) + "\n" + std::to_string(right_count(summaries)) + " of " +
-         std::to_string(summaries.size()) +
+std::string spread_foot(const std::vector<Record>& records, std::size_t label_width) {
+  std::string foot;
+  const std::vector<RunOptions> all = runs_of(records);
+  for (const auto& group : groups_of(records)) {
+    const std::string label = group_label(group, all);
+    if (!label.empty()) foot += label + ", " + std::to_string(group.size()) + " runs\n";
+    const auto row = [&](const char* name, double share) {
+      return table_row(name, label_width,
+                       [&](const char* key) { return spread_of(group, key, share); });
+    };
+    foot += row("least", 0.0) + row("median", 0.5) + row("most", 1.0);
+  }
+  return foot + "\n" + std::to_string(right_count(records)) + " of " +
+         std::to_string(records.size()) +
          " runs found every true plane once, and nothing else, after the correction\n";
 }
 
-std::string spread_to_json(const std::vector<Summary>& summaries) {
-  nlohmann::ordered_json json{{"runs", summaries.size()}, {"right", right_count(summaries)}};
-  for (const Column& column : kColumns) {
-    const Spread spread = spread_of(summaries, column);  // NaN becomes null
-    json["spread"][column.key] = {
-        {"least", spread.least}, {"median", spread.median}, {"most", spread.most}};
-  }
-  json["version"] = RIBBON_MAPPER_VERSION;
+std::size_t label_width_of(const std::vector<RunOptions>& runs) {
+  std::size_t width = 8;
+  for (const RunOptions& run : runs) width = std::max(width, label_of(run, runs).size() + 1);
+  return width;
+}
+
+std::string sweep_summary_to_json(const std::vector<Record>& records, const std::string& command) {
+  nlohmann::ordered_json json{{"command", command},
+                              {"version", version()},
+                              {"runs", records.size()},
+                              {"right", right_count(records)}};
+  json["groups"] = nlohmann::ordered_json::array();
+  for (const auto& group : groups_of(records)) json["groups"].push_back(group_json(group));
   return json.dump(2) + "\n";
 }
 

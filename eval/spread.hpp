@@ -5,19 +5,25 @@
 #include <string>
 #include <vector>
 
-#include "eval/summary.hpp"
+#include "eval/run_log.hpp"
 
 namespace ribbon_mapper::eval {
 
-// Many runs as a table: a head, a row per run, and least, median and most of each column.
+// Many runs as a table: a head, a row per run, and per group of runs that differ in nothing but
+// their seeds the least, the median and the most of each column.
 
-std::string spread_head();
-std::string spread_row(const Summary& summary);
-/// Rows for least, median and most, and a line that says how many runs found the truth.
-std::string spread_foot(const std::vector<Summary>& summaries);
+std::string spread_head(std::size_t label_width);
+std::string spread_row(const std::string& label, const Record& record, std::size_t label_width);
+/// Of all groups, and how many runs found the truth. `records` as RunLog sorts them.
+std::string spread_foot(const std::vector<Record>& records, std::size_t label_width);
 
-/// {"runs", "right", "spread": {key: {"least", "median", "most"}}, "version"}: keys as in
-/// summary.json, `right`: runs without a missed, extra or double plane.
-std::string spread_to_json(const std::vector<Summary>& summaries);
+/// Room for the longest label of these runs.
+std::size_t label_width_of(const std::vector<RunOptions>& runs);
+
+/// {"command", "version", "runs", "right", "groups": [{the conditions, "runs", "right", "spread":
+/// {key: {"least", "lower_quartile", "median", "upper_quartile", "most"}}}]}: keys as in
+/// runs.jsonl, those of objects joined by dots; `right`: runs without a missed, extra or double
+/// plane after the correction.
+std::string sweep_summary_to_json(const std::vector<Record>& records, const std::string& command);
 
 }  // namespace ribbon_mapper::eval

@@ -3,33 +3,32 @@
 #pragma once
 
 #include <cstddef>
-#include <cstdint>
+#include <optional>
 #include <string>
 
+#include "eval/four_cells.hpp"
 #include "eval/map_metrics.hpp"
+#include "eval/point_metrics.hpp"
+#include "eval/run_options.hpp"
 
 namespace ribbon_mapper::eval {
 
-/// The four cells of every table: {noisy, corrected trajectory} x {as built, merged and filtered}.
-struct FourCells {
-  MapMetrics noisy_raw;         ///< as built on the way, at the end of the tour
-  MapMetrics noisy_merged;      ///< what mere merging would have done
-  MapMetrics corrected_raw;     ///< what the correction did
-  MapMetrics corrected_merged;  ///< the result
-};
+using FourCells = PerCell<MapMetrics>;
 
 /// What one tour says, whether it ran in one process or over ROS.
 struct Summary {
+  RunOptions run;       ///< empty texts: not known
   std::string command;  ///< that makes it again
-  std::string world;
-  std::string route;
-  std::uint64_t seed = 0;
-  double drift = 0.0;  ///< scale of the localisation noise, 1: the PR2's parameters
 
   std::size_t lines = 0;
   std::size_t dropped_lines = 0;  ///< of these, lines that the modeler could not use
   std::size_t ribbons = 0;
   FourCells cells;
+  /// Against the face that each beam hit; over ROS beams have no labels.
+  std::optional<PerCell<PointMetrics>> points;
+
+  /// Medians over the ribbons, where the corrected trajectory places them.
+  std::optional<double> ribbon_angle_deg, ribbon_distance_m;
 
   double end_drift_m = 0.0;  ///< last acquisition pose before the correction, from the truth
   double end_drift_deg = 0.0;
@@ -38,10 +37,17 @@ struct Summary {
   double real_time_factor = 0.0;  ///< seconds of tour per second of computing
 };
 
-/// All of it as JSON, keys as in the README.
+/// All of it as JSON, keys as in docs/experiments.md.
 std::string summary_to_json(const Summary& summary);
 
-/// The four cells as a table for a terminal, and a line about the run.
+/// The same in one line, without the times, which differ from run to run: a line of runs.jsonl.
+/// `inputs` as inputs_of() gives them.
+std::string run_line(const Summary& summary, const std::string& inputs);
+
+/// The times, with what is needed to tell the run, in one line.
+std::string timing_line(const Summary& summary);
+
+/// The four cells as tables for a terminal, and a line about the run.
 std::string summary_table(const Summary& summary);
 
 }  // namespace ribbon_mapper::eval

@@ -9,20 +9,18 @@
 #include <optional>
 #include <thread>
 
-#include "eval/spread.hpp"
-
 namespace ribbon_mapper::eval {
 namespace {
 
 /// What the threads share. The runs themselves share nothing.
 class Board {
  public:
-  Board(std::size_t count, ProgressBar& bar) : progress_(count), summaries_(count), bar_(bar) {}
+  Board(std::size_t count, ProgressBar& bar) : progress_(count), bar_(bar) {}
 
   /// Index of a run that nobody has begun.
   std::optional<std::size_t> take() {
     const std::lock_guard<std::mutex> lock(mutex_);
-    if (failure_ || next_ == summaries_.size()) return std::nullopt;
+    if (failure_ || next_ == progress_.size()) return std::nullopt;
     return next_++;
   }
 
@@ -35,10 +33,9 @@ class Board {
     bar_.show(all);
   }
 
-  void finish(std::size_t index, const Summary& summary) {
+  void print(const std::string& text) {
     const std::lock_guard<std::mutex> lock(mutex_);
-    summaries_[index] = summary;
-    bar_.print(spread_row(summary));
+    bar_.print(text);
   }
 
   void fail(const std::exception_ptr& failure) {
@@ -46,24 +43,22 @@ class Board {
     if (!failure_) failure_ = failure;
   }
 
-  std::vector<Summary> summaries() const {
+  void rethrow() const {
     if (failure_) std::rethrow_exception(failure_);
-    return summaries_;
   }
 
  private:
   std::mutex mutex_;
   std::size_t next_ = 0;
   std::vector<Progress> progress_;
-  std::vector<Summary> summaries_;
   std::exception_ptr failure_;
   ProgressBar& bar_;
 };
 
-void work(Board& board, const std::vector<std::uint64_t>& seeds, const SeedRun& run) {
+void work(Board& board, const std::vector<RunOptions>& runs, const Run& run) {
   while (const std::optional<std::size_t> index = board.take()) {
     try {
-      board.finish(*index, run(seeds[*index], [&](const Progress& p) { board.show(*index, p); }));
+      board.print(run(runs[*index], [&](const Progress& p) { board.show(*index, p); }));
     } catch (...) {
       board.fail(std::current_exception());
     }
@@ -72,16 +67,15 @@ void work(Board& board, const std::vector<std::uint64_t>& seeds, const SeedRun& 
 
 }  // namespace
 
-std::vector<Summary> run_seeds(const std::vector<std::uint64_t>& seeds, std::size_t jobs,
-                               const SeedRun& run, ProgressBar& bar) {
-  Board board(seeds.size(), bar);
-  bar.print(spread_head());
+void make_runs(const std::vector<RunOptions>& runs, std::size_t jobs, const Run& run,
+               ProgressBar& bar) {
+  Board board(runs.size(), bar);
   std::vector<std::thread> threads;
-  for (std::size_t i = 0; i < std::min(jobs, seeds.size()); ++i) {
-    threads.emplace_back([&] { work(board, seeds, run); });
+  for (std::size_t i = 0; i < std::min(jobs, runs.size()); ++i) {
+    threads.emplace_back([&] { work(board, runs, run); });
   }
   for (std::thread& thread : threads) thread.join();
-  return board.summaries();
+  board.rethrow();
 }
 
 }  // namespace ribbon_mapper::eval

@@ -3,23 +3,20 @@
 #pragma once
 
 #include <cstddef>
-#include <cstdint>
-#include <exception>
 #include <functional>
 #include <vector>
 
 #include "eval/progress_bar.hpp"
-#include "eval/summary.hpp"
+#include "eval/run_options.hpp"
 
 namespace ribbon_mapper::eval {
 
-/// Runs one seed to its end.
-using SeedRun = std::function<Summary(std::uint64_t seed, const ProgressCallback& progress)>;
+/// Makes a run to its end and returns what is to be printed of it.
+using Run = std::function<std::string(const RunOptions& run, const ProgressCallback& progress)>;
 
-/// Runs the seeds, `jobs` at a time, and prints a line for each that is done. Returns the summaries
-/// in the order of the seeds, however they finished. A seed that throws stops those that have not
-/// begun; its exception is thrown when those that have are done.
-std::vector<Summary> run_seeds(const std::vector<std::uint64_t>& seeds, std::size_t jobs,
-                               const SeedRun& run, ProgressBar& bar);
+/// Makes the runs, `jobs` at a time, and prints what each of them returns. A run that throws stops
+/// those that have not begun; its exception is thrown when those that have are done.
+void make_runs(const std::vector<RunOptions>& runs, std::size_t jobs, const Run& run,
+               ProgressBar& bar);
 
 }  // namespace ribbon_mapper::eval

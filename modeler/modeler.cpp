@@ -130,6 +130,8 @@ std::vector<Plane> Modeler::merged_planes() const {
 
 const std::vector<StampedPose>& Modeler::trajectory() const { return state_->trajectory.poses(); }
 
+const std::vector<Ribbon>& Modeler::ribbons() const { return state_->ribbons; }
+
 ModelStatistics Modeler::statistics() const {
   return {state_->lines, state_->ribbons.size(), state_->revision};
 }

@@ -9,6 +9,7 @@
 #include "modeler/map/plane.hpp"
 #include "modeler/scan/laser_beams.hpp"
 #include "modeler/modeler_config.hpp"
+#include "modeler/ribbon/ribbon.hpp"
 
 namespace ribbon_mapper {
 
@@ -65,6 +66,10 @@ class Modeler {
   /// Acquisition poses as they are now (corrected if there was a correction), one per line in
   /// the model, stamps strictly increasing.
   const std::vector<StampedPose>& trajectory() const;
+
+  /// All ribbons in the order of their lines and beams, each in the frame of its acquisition pose,
+  /// which is the one of that index in trajectory(). Valid until the model changes.
+  const std::vector<Ribbon>& ribbons() const;
 
   ModelStatistics statistics() const;
 

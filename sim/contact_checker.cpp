@@ -38,9 +38,9 @@ bool encloses(const MeshShape& mesh, const Eigen::Vector3d& point) {
     const Eigen::Vector3d a = mesh.vertices_m[triangle[0]] - point;
     const Eigen::Vector3d b = mesh.vertices_m[triangle[1]] - point;
     const Eigen::Vector3d c = mesh.vertices_m[triangle[2]] - point;
-    half_angles += std::atan2(a.dot(b.cross(c)), a.norm() * b.norm() * c.norm() +
-                                                     a.dot(b) * c.norm() + b.dot(c) * a.norm() +
-                                                     c.dot(a) * b.norm());
+    half_angles +=
+        std::atan2(a.dot(b.cross(c)), a.norm() * b.norm() * c.norm() + a.dot(b) * c.norm() +
+                                          b.dot(c) * a.norm() + c.dot(a) * b.norm());
   }
   return std::abs(half_angles) > kPi;
 }
@@ -51,8 +51,8 @@ struct DeepestContact : btCollisionWorld::ContactResultCallback {
                            const btCollisionObjectWrapper* b, int, int) override {
     if (point.getDistance() >= distance_m) return 0;
     distance_m = point.getDistance();
-    shape = std::max(a->getCollisionObject()->getUserIndex(),
-                     b->getCollisionObject()->getUserIndex());
+    shape =
+        std::max(a->getCollisionObject()->getUserIndex(), b->getCollisionObject()->getUserIndex());
     return 0;
   }
   double distance_m = -kTouch_m;
@@ -126,7 +126,8 @@ std::optional<std::string> ContactChecker::contact(const Pose& T_map_box,
   if (deepest.shape >= 0) return scene_->shapes[deepest.shape].name;
   for (const Shape& shape : scene_->shapes) {
     const auto* mesh = std::get_if<MeshShape>(&shape.geometry);
-    if (mesh && encloses(*mesh, shape.T_map_shape.inverse() * Eigen::Vector3d(T_map_box.translation())))
+    if (mesh &&
+        encloses(*mesh, shape.T_map_shape.inverse() * Eigen::Vector3d(T_map_box.translation())))
       return shape.name;
   }
   return std::nullopt;

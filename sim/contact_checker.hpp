@@ -11,8 +11,9 @@
 
 namespace ribbon_mapper::sim {
 
-/// Whether a box meets the solids of the world: Bullet's contact test with primitive shapes, so that
-/// a box inside a solid is found too; for meshes, which are hollow to Bullet, by winding number.
+/// Whether a box meets the solids of the world: Bullet's contact test with primitive shapes, so
+/// that a box inside a solid is found too; for meshes, which are hollow to Bullet, by winding
+/// number.
 class ContactChecker {
  public:
   explicit ContactChecker(const std::vector<Shape>& shapes);

@@ -48,8 +48,7 @@ std::vector<int> coplanar_patches(const MeshShape& mesh) {
   for (std::size_t t = 0; t < count; ++t) {
     const auto& [a, b, c] = mesh.triangles[t];
     const Eigen::Vector3d& p = mesh.vertices_m[a];
-    const Eigen::Vector3d n =
-        (mesh.vertices_m[b] - p).cross(mesh.vertices_m[c] - p).normalized();
+    const Eigen::Vector3d n = (mesh.vertices_m[b] - p).cross(mesh.vertices_m[c] - p).normalized();
     planes[t] << n, -n.dot(p);
   }
   for (const auto& [edge, sharing] : triangles_by_edge(mesh))
@@ -67,9 +66,10 @@ std::vector<int> coplanar_patches(const MeshShape& mesh) {
       const int t = open.back();
       open.pop_back();
       for (const int n : neighbours[t]) {
-        const bool same = planes[n].head<3>().dot(planes[seed].head<3>()) > kCosine &&
-                          std::abs(planes[n].head<3>().dot(mesh.vertices_m[mesh.triangles[seed][0]]) +
-                                   planes[n].w()) < kOffset_m;
+        const bool same =
+            planes[n].head<3>().dot(planes[seed].head<3>()) > kCosine &&
+            std::abs(planes[n].head<3>().dot(mesh.vertices_m[mesh.triangles[seed][0]]) +
+                     planes[n].w()) < kOffset_m;
         if (patches[n] >= 0 || !same) continue;
         patches[n] = patch;
         open.push_back(n);

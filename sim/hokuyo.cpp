@@ -5,9 +5,9 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <optional>
 #include <stdexcept>
 
+#include "sim/stream_seed.hpp"
 #include "sim/world.hpp"
 
 namespace ribbon_mapper::sim {
@@ -20,19 +20,21 @@ constexpr double kTurn_s = 60.0 / 2400.0;  // 2400 rpm (hokuyo.cpp)
 /// A neighbouring beam this much nearer or farther makes a depth edge.
 constexpr double kDepthEdge_m = 0.05;
 
-/// A ray towards the last range first: the tree is walked only that far. What it finds is the
-/// nearest all the same.
-constexpr double kGuessMargin_m = 0.1;
-
-std::optional<Hit> cast_near(const World& world, const Eigen::Vector3d& origin,
-                             const Eigen::Vector3d& direction, double guess_m, double max_range_m) {
-  if (guess_m + kGuessMargin_m < max_range_m)
-    if (const auto hit = world.cast(origin, direction, guess_m + kGuessMargin_m)) return hit;
-  return world.cast(origin, direction, max_range_m);
+Eigen::Vector2d in_scan_plane(double angle_rad) {
+  return {std::cos(angle_rad), std::sin(angle_rad)};
 }
 
-Eigen::Vector3d in_scan_plane(double angle_rad) {
-  return {std::cos(angle_rad), std::sin(angle_rad), 0.0};
+Ray ray_of(const Pose& T_map_laser, const Eigen::Vector2d& direction) {
+  return {T_map_laser.translation(), direction.x() * T_map_laser.linear().col(0) +
+                                         direction.y() * T_map_laser.linear().col(1)};
+}
+
+std::uint64_t line_seed(std::uint64_t seed, Time stamp) {
+  return stream_seed(seed, stream_seed(0, static_cast<std::uint64_t>(stamp.count())));
+}
+
+bool is_edge(double own_m, double other_m) {
+  return std::isfinite(own_m) && std::isfinite(other_m) && std::abs(other_m - own_m) > kDepthEdge_m;
 }
 
 }  // namespace
@@ -60,6 +62,12 @@ double sigma_m(RangeNoise noise, double range_m) {
   return 0.0;
 }
 
+void HokuyoConfig::set_beams(int count) {
+  constexpr double kWithinStep = 1e-3;  // so that rounding takes no beam away
+  angle_min_rad = (kWithinStep - count / 2) * angle_increment_rad;
+  angle_max_rad = (count - 1 - count / 2 + kWithinStep) * angle_increment_rad;
+}
+
 void HokuyoConfig::validate() const {
   const auto require = [](bool condition, const char* message) {
     if (!condition) throw std::invalid_argument(std::string("hokuyo: ") + message);
@@ -75,18 +83,7 @@ void HokuyoConfig::validate() const {
   require(quantisation_m >= 0.0 && quantisation_m <= 0.1, "quantisation must be in 0..0.1 m");
 }
 
-struct Hokuyo::Beam {
-  Pose T_map_laser;
-  double angle_rad;
-  Eigen::Vector3d direction;  ///< in map
-
-  Eigen::Vector3d origin() const { return T_map_laser.translation(); }
-  Eigen::Vector3d direction_beside(double offset_rad) const {
-    return T_map_laser.linear() * in_scan_plane(angle_rad + offset_rad);
-  }
-};
-
-Hokuyo::Hokuyo(const HokuyoConfig& config, std::uint64_t seed) : config_(config), random_(seed) {
+Hokuyo::Hokuyo(const HokuyoConfig& config, std::uint64_t seed) : config_(config), seed_(seed) {
   config_.validate();
   // hokuyo.cpp counts steps from the rear, where 540 is straight ahead, and cuts fractions off.
   const double per_rad = 1.0 / config_.angle_increment_rad;
@@ -95,23 +92,15 @@ Hokuyo::Hokuyo(const HokuyoConfig& config, std::uint64_t seed) : config_(config)
   last_step_ = static_cast<int>(std::floor(ahead + config_.angle_max_rad * per_rad) - ahead);
   for (int step = first_step_; step <= last_step_; ++step)
     directions_.push_back(in_scan_plane(step * config_.angle_increment_rad));
+  for (int i = 0; i < beam_count(); ++i)
+    times_.push_back(from_seconds(i * kTurn_s * config_.angle_increment_rad / (2.0 * kPi)));
 }
 
 Time Hokuyo::period() const { return from_seconds(1.0 / config_.rate_hz); }
 
-Time Hokuyo::beam_time(int beam) const {
-  return from_seconds(beam * kTurn_s * config_.angle_increment_rad / (2.0 * kPi));
-}
+Time Hokuyo::sweep_time() const { return times_.back(); }
 
-Time Hokuyo::sweep_time() const { return beam_time(beam_count() - 1); }
-
-Hokuyo::Beam Hokuyo::beam(Time stamp, const LaserPose& T_map_laser, int index) const {
-  const Pose T_map_laser_then = T_map_laser(stamp + beam_time(index));
-  return {T_map_laser_then, (first_step_ + index) * config_.angle_increment_rad,
-          T_map_laser_then.linear() * directions_[index]};
-}
-
-Scan Hokuyo::scan(const World& world, Time stamp, const LaserPose& T_map_laser) {
+Scan Hokuyo::scan(const World& world, Time stamp, const LaserPose& T_map_laser) const {
   Scan scan;
   scan.stamp = stamp;
   scan.angle_min_rad = angle_min_rad();
@@ -120,49 +109,53 @@ Scan Hokuyo::scan(const World& world, Time stamp, const LaserPose& T_map_laser) 
   scan.scan_time_s = 1.0 / config_.rate_hz;
   scan.range_min_m = config_.range_min_m;
   scan.range_max_m = config_.range_max_m;
-  const auto count = static_cast<std::size_t>(beam_count());
-  std::vector<Beam> beams;
-  beams.reserve(count);
-  scan.ranges_m.reserve(count);
-  scan.true_ranges_m.reserve(count);
-  scan.faces.reserve(count);
-  double guess_m = config_.range_max_m;
+  scan.rays.reserve(directions_.size());
   for (int i = 0; i < beam_count(); ++i) {
-    beams.push_back(beam(stamp, T_map_laser, i));
-    const auto hit = cast_near(world, beams[i].origin(), beams[i].direction, guess_m,
-                               config_.range_max_m);
+    scan.rays.push_back(ray_of(T_map_laser(stamp + times_[i]), directions_[i]));
+  }
+  for (const auto& hit : world.cast_line(scan.rays, config_.range_max_m)) {
     scan.true_ranges_m.push_back(hit ? static_cast<float>(hit->range_m) : kNoReturn);
     scan.faces.push_back(hit ? hit->face : -1);
-    if (hit) guess_m = hit->range_m;
   }
-  for (int i = 0; i < beam_count(); ++i)
-    scan.ranges_m.push_back(measured(mixed(world, beams[i], scan, i)));
+  std::mt19937_64 random(line_seed(seed_, stamp));
+  std::normal_distribution<double> normal;
+  for (const double range_m : mixed_ranges_m(world, scan, T_map_laser, random))
+    scan.ranges_m.push_back(measured_m(range_m, normal(random)));
   return scan;
 }
 
 /// A spot that lies on two surfaces gives a range between theirs, by the share of each. The spot is
 /// taken to be one angular step wide, so that spots tile the view: an assumption, the data sheet's
-/// figures are larger. Only beams beside a depth edge of their line are looked at.
-double Hokuyo::mixed(const World& world, const Beam& beam, const Scan& scan, int index) {
-  const double range_m = scan.true_ranges_m[index];
-  if (!config_.mixed_pixels || !std::isfinite(range_m)) return range_m;
-  const auto is_edge = [&](int other) {
-    return other >= 0 && other < beam_count() && std::isfinite(scan.true_ranges_m[other]) &&
-           std::abs(scan.true_ranges_m[other] - range_m) > kDepthEdge_m;
-  };
-  for (const int side : {-1, 1}) {
-    if (!is_edge(index + side)) continue;
-    const double half_step_rad = side * config_.angle_increment_rad / 2.0;
-    const auto rim = world.cast(beam.origin(), beam.direction_beside(half_step_rad), config_.range_max_m);
-    if (!rim || std::abs(rim->range_m - range_m) < kDepthEdge_m) continue;
-    const double share = std::uniform_real_distribution<double>(0.0, 0.5)(random_);
-    return range_m + share * (rim->range_m - range_m);
+/// figures are larger. Only beams beside a depth edge of their line are looked at: what lies on the
+/// rim of their spot?
+std::vector<double> Hokuyo::mixed_ranges_m(const World& world, const Scan& scan,
+                                           const LaserPose& T_map_laser,
+                                           std::mt19937_64& random) const {
+  const std::vector<float>& true_m = scan.true_ranges_m;
+  std::vector<double> mixed_m(true_m.begin(), true_m.end());
+  if (!config_.mixed_pixels) return mixed_m;
+  std::vector<int> beams;
+  std::vector<Ray> rims;
+  for (int i = 0; i < beam_count(); ++i)
+    for (const int side : {-1, 1}) {
+      const int beside = i + side;
+      if (beside < 0 || beside >= beam_count() || !is_edge(true_m[i], true_m[beside])) continue;
+      const double angle_rad = (first_step_ + i + side / 2.0) * config_.angle_increment_rad;
+      beams.push_back(i);
+      rims.push_back(ray_of(T_map_laser(scan.stamp + times_[i]), in_scan_plane(angle_rad)));
+    }
+  const auto hits = world.cast_line(rims, config_.range_max_m);
+  std::uniform_real_distribution<double> share(0.0, 0.5);
+  for (std::size_t k = 0; k < hits.size(); ++k) {
+    const double own_m = true_m[beams[k]];
+    const bool untouched = mixed_m[beams[k]] == own_m;  // by the rim on the other side
+    if (untouched && hits[k] && is_edge(own_m, hits[k]->range_m))
+      mixed_m[beams[k]] += share(random) * (hits[k]->range_m - own_m);
   }
-  return range_m;
+  return mixed_m;
 }
 
-float Hokuyo::measured(double range_m) {
-  const double normal = std::normal_distribution<double>()(random_);
+float Hokuyo::measured_m(double range_m, double normal) const {
   if (!std::isfinite(range_m)) return kNoReturn;
   double value_m = range_m + config_.noise_scale * sigma_m(config_.noise, range_m) * normal;
   if (config_.quantisation_m > 0.0)

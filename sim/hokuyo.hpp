@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "modeler/geometry/pose.hpp"
+#include "sim/ray_caster.hpp"
 
 namespace ribbon_mapper::sim {
 
@@ -24,9 +25,10 @@ struct Scan {
   double scan_time_s = 0.0;
   double range_min_m = 0.0;
   double range_max_m = 0.0;
-  std::vector<float> ranges_m;  ///< +inf: no return, -inf: nearer than range_min (REP 117)
-  std::vector<int> faces;       ///< index into World::faces() that the beam hit, -1 for none
+  std::vector<float> ranges_m;       ///< +inf: no return, -inf: nearer than range_min (REP 117)
+  std::vector<int> faces;            ///< index into World::faces() that the beam hit, -1 for none
   std::vector<float> true_ranges_m;  ///< without noise, +inf: no return
+  std::vector<Ray> rays;             ///< of the beams, in map, each from its own time
 };
 
 /// Sigma of a range, by name of its source.
@@ -51,42 +53,46 @@ struct HokuyoConfig {
   double range_min_m = 0.1;
   double range_max_m = 30.0;
   RangeNoise noise = RangeNoise::datasheet;
-  double noise_scale = 1.0;      ///< multiplies sigma
-  bool mixed_pixels = true;      ///< ranges between two depths where the beam's spot meets both
+  double noise_scale = 1.0;  ///< multiplies sigma
+  bool mixed_pixels = true;  ///< ranges between two depths where the beam's spot meets both
   double quantisation_m = 0.001;
-  void validate() const;         ///< throws std::invalid_argument naming the key and its range
+  /// So many beams about straight ahead; of an even number, one more to the right (negative angles).
+  void set_beams(int count);
+  void validate() const;  ///< throws std::invalid_argument naming the key and its range
 };
 
 /// Where the laser is at a time: T_map_laser.
 using LaserPose = std::function<Pose(Time)>;
 
-/// A Hokuyo UTM-30LX: 0.25 degree steps counted from straight ahead as hokuyo_node does, one turn in
-/// 25 ms whatever the rate (a lower rate leaves turns out), each beam cast from where the laser is
-/// at that beam's own time.
+/// A Hokuyo UTM-30LX: 0.25 degree steps counted from straight ahead as hokuyo_node does, one turn
+/// in 25 ms whatever the rate (a lower rate leaves turns out), each beam cast from where the laser
+/// is at that beam's own time.
 class Hokuyo {
  public:
   /// Throws std::invalid_argument if the configuration is not valid.
   Hokuyo(const HokuyoConfig& config, std::uint64_t seed);
 
-  /// The next line, its first beam at `stamp`. Depends on all lines before, as noise does.
-  Scan scan(const World& world, Time stamp, const LaserPose& T_map_laser);
+  /// The line whose first beam is fired at `stamp`. Its noise depends on the seed and the stamp
+  /// alone: lines may be made in any order, and by several threads.
+  Scan scan(const World& world, Time stamp, const LaserPose& T_map_laser) const;
 
   int beam_count() const { return last_step_ - first_step_ + 1; }
   double angle_min_rad() const { return first_step_ * config_.angle_increment_rad; }
-  Time period() const;         ///< from line to line
-  Time sweep_time() const;     ///< from the first beam to the last
-  Time beam_time(int beam) const;  ///< after the stamp
+  Time period() const;                                     ///< from line to line
+  Time sweep_time() const;                                 ///< from the first beam to the last
+  Time beam_time(int beam) const { return times_[beam]; }  ///< after the stamp
 
  private:
-  struct Beam;
-  Beam beam(Time stamp, const LaserPose& T_map_laser, int index) const;
-  double mixed(const World& world, const Beam& beam, const Scan& scan, int index);
-  float measured(double range_m);
+  /// Ranges without noise but with mixed pixels.
+  std::vector<double> mixed_ranges_m(const World& world, const Scan& scan,
+                                     const LaserPose& T_map_laser, std::mt19937_64& random) const;
+  float measured_m(double range_m, double normal) const;
 
   HokuyoConfig config_;
-  int first_step_, last_step_;  ///< from straight ahead
-  std::vector<Eigen::Vector3d> directions_;  ///< of the beams, in the laser's frame
-  std::mt19937_64 random_;
+  std::uint64_t seed_;
+  int first_step_, last_step_;               ///< from straight ahead
+  std::vector<Eigen::Vector2d> directions_;  ///< of the beams: x and y in the laser's frame
+  std::vector<Time> times_;                  ///< of the beams, after the stamp
 };
 
 }  // namespace ribbon_mapper::sim

@@ -25,12 +25,13 @@ PlanarError drawn(const PlanarSigma& sigma, std::mt19937_64& random) {
   return {sigma.x_m * x, sigma.y_m * y, sigma.yaw_rad * yaw};
 }
 
-/// gmapping (motionmodel.cpp) draws once per update, with a sigma proportional to the step. Here the
-/// variance of such a reference step is spread evenly over the way, so that the drift does not
+/// gmapping (motionmodel.cpp) draws once per update, with a sigma proportional to the step. Here
+/// the variance of such a reference step is spread evenly over the way, so that the drift does not
 /// depend on how finely the way is cut: sigma(step) = sigma(reference) * sqrt(step / reference).
 PlanarSigma motion_sigma(const LocalisationConfig& config, const Pose& step) {
   const double way_m = step.translation().norm(), turn_rad = std::abs(yaw_of(step));
-  const double drives = way_m / config.linear_update_m, turns = turn_rad / config.angular_update_rad;
+  const double drives = way_m / config.linear_update_m,
+               turns = turn_rad / config.angular_update_rad;
   const auto sigma = [&](double per_drive, double per_turn) {
     return config.drift * std::hypot(per_drive * config.linear_update_m * std::sqrt(drives),
                                      per_turn * config.angular_update_rad * std::sqrt(turns));
@@ -102,7 +103,8 @@ void Localisation::match_scans(std::mt19937_64& random) {
   PlanarError error = drawn(wander, random);
   const std::size_t count = sample_count(route_.duration(), config_.map_rate_hz);
   while (T_map_odom_.size() < count) {
-    const Pose T_odom_base = this->T_odom_base(sample_time(T_map_odom_.size(), config_.map_rate_hz));
+    const Pose T_odom_base =
+        this->T_odom_base(sample_time(T_map_odom_.size(), config_.map_rate_hz));
     const Pose T_base_matched = error.pose() * drawn(jitter, random).pose();
     T_map_odom_.push_back(T_map_start * T_odom_base * T_base_matched * T_odom_base.inverse());
     const PlanarError news = drawn(wander, random);

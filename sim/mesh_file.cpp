@@ -60,9 +60,9 @@ MeshShape load_mesh(const std::string& path, const MeshSelection& selection) {
   MeshShape mesh;
   append(*scene, *scene->mRootNode, aiMatrix4x4(), selection.submesh, mesh);
   if (mesh.triangles.empty())
-    throw std::runtime_error("mesh " + path + ": no triangles" +
-                             (selection.submesh.empty() ? std::string()
-                                                        : " in submesh '" + selection.submesh + "'"));
+    throw std::runtime_error(
+        "mesh " + path + ": no triangles" +
+        (selection.submesh.empty() ? std::string() : " in submesh '" + selection.submesh + "'"));
   if (selection.center_submesh) centre(mesh);
   for (Eigen::Vector3d& p : mesh.vertices_m) p = p.cwiseProduct(selection.scale);
   return mesh;

@@ -27,6 +27,9 @@ constexpr double kBodyBottom_m = 0.05;
 /// laser_tilt_link in base_footprint: x ahead, z up at tilt 0.
 Pose T_base_laser(double tilt_rad, double torso_m = kTorsoRest_m);
 
+/// The same in map, for a base on level ground: T_map_base * T_base_laser, multiplied out.
+Pose T_map_laser(const Pose& T_map_base, double tilt_rad);
+
 /// The body's box in map.
 Pose T_map_body(const Pose& T_map_base);
 

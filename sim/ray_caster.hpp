@@ -11,26 +11,33 @@
 
 namespace ribbon_mapper::sim {
 
+struct RayScene;
+
+struct Ray {
+  Eigen::Vector3d origin, direction;  ///< in map; the direction of length 1
+};
+
 struct Hit {
   double range_m = 0.0;
   int face = -1;  ///< index into World::faces()
 };
 
-/// First triangle along a ray, by the bounding volume hierarchy of Bullet. Both sides of a triangle
-/// stop a ray. Bullet's own triangle test widens triangles by a share of their size, so that the
-/// intersection is computed here (Moeller and Trumbore 1997).
+/// First surface along rays, from either side. The rays of a scan line are cast in packets of
+/// neighbours that walk the tree together (Wald et al., "Interactive rendering with coherent ray
+/// tracing", 2001). What a ray hits does not depend on the rays beside it, nor on the processor; of
+/// surfaces at the very same range it is the first in the order of the triangles. Thread-safe.
 class RayCaster {
  public:
   explicit RayCaster(const std::vector<Triangle>& triangles);
   ~RayCaster();
 
-  /// `direction` of length 1. Thread-safe.
-  std::optional<Hit> cast(const Eigen::Vector3d& origin, const Eigen::Vector3d& direction,
-                          double max_range_m) const;
+  std::optional<Hit> cast(const Ray& ray, double max_range_m) const;
+
+  /// The same for each of many rays; fast if successive ones are near and alike, as beams are.
+  std::vector<std::optional<Hit>> cast_line(const std::vector<Ray>& rays, double max_range_m) const;
 
  private:
-  struct Tree;
-  std::unique_ptr<Tree> tree_;
+  std::unique_ptr<const RayScene> scene_;
 };
 
 }  // namespace ribbon_mapper::sim

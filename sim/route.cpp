@@ -42,12 +42,12 @@ std::string collision_text(const Pose& T_map_base, const std::string& shape) {
 Ramp::Ramp(double way_, double max_speed, double acceleration_)
     : way(way_),
       speed(std::min(max_speed, std::sqrt(way_ * acceleration_))),
-      acceleration(acceleration_) {}
-
-double Ramp::duration_s() const { return way == 0.0 ? 0.0 : way / speed + speed / acceleration; }
+      acceleration(acceleration_),
+      ramp_s(speed / acceleration_),
+      duration_s(way_ == 0.0 ? 0.0 : way_ / speed + ramp_s) {}
 
 double Ramp::way_at(double time_s) const {
-  const double ramp_s = speed / acceleration, left_s = duration_s() - time_s;
+  const double left_s = duration_s - time_s;
   if (left_s <= 0.0) return way;
   if (time_s < ramp_s) return acceleration * time_s * time_s / 2.0;
   if (left_s < ramp_s) return way - acceleration * left_s * left_s / 2.0;
@@ -55,12 +55,18 @@ double Ramp::way_at(double time_s) const {
 }
 
 double Ramp::speed_at(double time_s) const {
-  const double nearest_rest_s = std::max(0.0, std::min(time_s, duration_s() - time_s));
+  const double nearest_rest_s = std::max(0.0, std::min(time_s, duration_s - time_s));
   return std::min(speed, acceleration * nearest_rest_s);
 }
 
-Route::Route(double speed_m_s, double turn_rate_rad_s, std::vector<Eigen::Vector2d> waypoints)
-    : speed_m_s_(speed_m_s), turn_rate_rad_s_(turn_rate_rad_s), waypoints_(std::move(waypoints)) {
+Route::Route(double speed_m_s, double turn_rate_rad_s, std::vector<Eigen::Vector2d> waypoints,
+             double rest_s)
+    : speed_m_s_(speed_m_s),
+      turn_rate_rad_s_(turn_rate_rad_s),
+      rest_s_(rest_s),
+      waypoints_(std::move(waypoints)),
+      end_s_(rest_s) {
+  require(rest_s >= 0.0 && rest_s <= 1000.0, "rest must be in 0..1000 s");
   require(speed_m_s > 0.0 && speed_m_s <= pr2::kBaseSpeed_m_s, "speed must be in 0..1 m/s");
   require(turn_rate_rad_s > 0.0 && turn_rate_rad_s <= pr2::kBaseTurnRate_rad_s,
           "turn_rate must be in 0..2 rad/s");
@@ -79,16 +85,19 @@ Route::Route(double speed_m_s, double turn_rate_rad_s, std::vector<Eigen::Vector
   if (closed()) turn_to(first_yaw_rad);
 }
 
-Pose Route::end_pose() const {
-  return planar_pose(end_place_.x(), end_place_.y(), end_yaw_rad_);
+Route Route::at_speed(double speed_m_s) const {
+  const double turn_rate_rad_s = turn_rate_rad_s_ * speed_m_s / speed_m_s_;
+  return {speed_m_s, std::min(turn_rate_rad_s, pr2::kBaseTurnRate_rad_s), waypoints_, rest_s_};
 }
+
+Pose Route::end_pose() const { return planar_pose(end_place_.x(), end_place_.y(), end_yaw_rad_); }
 
 void Route::turn_to(double yaw_rad) {
   const double turn_rad = wrapped(yaw_rad - end_yaw_rad_);
   if (std::abs(turn_rad) < 1e-9) return;
   legs_.push_back({end_s_, end_pose(), end_yaw_rad_, turn_rad < 0.0 ? -1.0 : 1.0,
                    Ramp(std::abs(turn_rad), turn_rate_rad_s_, pr2::kBaseTurnAcceleration_rad_s2)});
-  end_s_ += legs_.back().ramp.duration_s();
+  end_s_ += legs_.back().ramp.duration_s;
   end_yaw_rad_ = yaw_rad;
 }
 
@@ -96,16 +105,19 @@ void Route::drive_to(const Eigen::Vector2d& target) {
   const double way_m = (target - end_place_).norm();
   legs_.push_back({end_s_, end_pose(), end_yaw_rad_, 0.0,
                    Ramp(way_m, speed_m_s_, pr2::kBaseAcceleration_m_s2)});
-  end_s_ += legs_.back().ramp.duration_s();
+  end_s_ += legs_.back().ramp.duration_s;
   end_place_ = target;
   length_m_ += way_m;
 }
 
 Pose Route::Leg::pose_at(double way) const {
   Pose T_map_base = T_map_start;
-  if (turn_sign != 0.0)
-    return planar_pose(T_map_base(0, 3), T_map_base(1, 3), yaw_rad + turn_sign * way);
-  T_map_base.translation() += way * T_map_start.linear().col(0);
+  if (turn_sign == 0.0) {
+    T_map_base.translation() += way * T_map_start.linear().col(0);
+    return T_map_base;
+  }
+  const double yaw = yaw_rad + turn_sign * way, c = std::cos(yaw), s = std::sin(yaw);
+  T_map_base.linear().topLeftCorner<2, 2>() << c, -s, s, c;
   return T_map_base;
 }
 
@@ -119,13 +131,13 @@ const Route::Leg& Route::leg_at(double time_s) const {
 }
 
 Pose Route::T_map_base(Time time) const {
-  const double time_s = std::max(0.0, to_seconds(time));
+  const double time_s = std::max(rest_s_, to_seconds(time));
   const Leg& leg = leg_at(time_s);
   return leg.pose_at(leg.ramp.way_at(time_s - leg.start_s));
 }
 
 Velocity Route::velocity(Time time) const {
-  const double time_s = std::max(0.0, to_seconds(time));
+  const double time_s = std::max(rest_s_, to_seconds(time));
   const Leg& leg = leg_at(time_s);
   const double speed = leg.ramp.speed_at(time_s - leg.start_s);
   return leg.turn_sign == 0.0 ? Velocity{speed, 0.0} : Velocity{0.0, leg.turn_sign * speed};

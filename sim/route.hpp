@@ -15,12 +15,13 @@ class World;
 /// From rest to rest over a length or an angle: constant acceleration, cruise, constant braking;
 /// units are metres or radians.
 struct Ramp {
-  double way = 0.0;
-  double speed = 1.0;  ///< that the way leaves time to reach
-  double acceleration = 1.0;
+  double way;
+  double speed;  ///< that the way leaves time to reach
+  double acceleration;
+  double ramp_s;  ///< until the speed is reached
+  double duration_s;
 
   Ramp(double way_, double max_speed, double acceleration_);
-  double duration_s() const;
   double way_at(double time_s) const;
   double speed_at(double time_s) const;
 };
@@ -35,17 +36,23 @@ struct Velocity {
 /// straight, and so on; at the end of a closed route it turns back to its first heading.
 class Route {
  public:
-  /// Reads YAML with `speed` [m/s], `turn_rate` [rad/s] and `waypoints` [[x, y], ...] [m, map].
+  /// Reads YAML with `speed` [m/s], `turn_rate` [rad/s] and `waypoints` [[x, y], ...] [m, map], and
+  /// `rest` [s], 0 if it is left out.
   /// Throws std::runtime_error naming the file and the key.
   static Route load(const std::string& path);
 
   /// Throws std::invalid_argument if a speed is outside the PR2's limits (1 m/s, 2 rad/s), or if
-  /// there are less than two waypoints, or two following ones in the same place.
-  Route(double speed_m_s, double turn_rate_rad_s, std::vector<Eigen::Vector2d> waypoints);
+  /// there are less than two waypoints, or two following ones in the same place. The robot stands
+  /// for `rest_s` before it starts (0 to 1000).
+  Route(double speed_m_s, double turn_rate_rad_s, std::vector<Eigen::Vector2d> waypoints,
+        double rest_s = 0.0);
 
   Time duration() const;
   double length_m() const { return length_m_; }
   double speed_m_s() const { return speed_m_s_; }
+  /// The same way at another speed, the turn rate scaled alike up to the PR2's limit. Throws as the
+  /// constructor does.
+  Route at_speed(double speed_m_s) const;
   bool closed() const { return waypoints_.front() == waypoints_.back(); }
   const std::vector<Eigen::Vector2d>& waypoints() const { return waypoints_; }
 
@@ -71,12 +78,12 @@ class Route {
   void drive_to(const Eigen::Vector2d& target);
   const Leg& leg_at(double time_s) const;
 
-  double speed_m_s_, turn_rate_rad_s_;
+  double speed_m_s_, turn_rate_rad_s_, rest_s_;
   std::vector<Eigen::Vector2d> waypoints_;
   std::vector<Leg> legs_;
   double length_m_ = 0.0;
   Eigen::Vector2d end_place_;  ///< end of the last leg
-  double end_yaw_rad_, end_s_ = 0.0;
+  double end_yaw_rad_, end_s_;
 };
 
 /// Throws std::runtime_error naming the place and what is hit if the PR2's body meets the world

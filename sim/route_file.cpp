@@ -12,15 +12,16 @@ namespace {
 
 void check_keys(const YAML::Node& root) {
   if (!root.IsMap()) throw std::runtime_error("needs the keys speed, turn_rate and waypoints");
-  static const std::set<std::string> kKeys{"speed", "turn_rate", "waypoints"};
-  std::set<std::string> missing = kKeys;
+  static const std::set<std::string> kKeys{"speed", "turn_rate", "waypoints", "rest"};
+  std::set<std::string> left = kKeys;
   for (const auto& entry : root) {
     const std::string key = entry.first.as<std::string>();
     if (!kKeys.count(key))
-      throw std::runtime_error("unknown key '" + key + "'; use speed, turn_rate, waypoints");
-    if (!missing.erase(key)) throw std::runtime_error("key '" + key + "' is given twice");
+      throw std::runtime_error("unknown key '" + key + "'; use speed, turn_rate, waypoints, rest");
+    if (!left.erase(key)) throw std::runtime_error("key '" + key + "' is given twice");
   }
-  if (!missing.empty()) throw std::runtime_error("key '" + *missing.begin() + "' is missing");
+  left.erase("rest");
+  if (!left.empty()) throw std::runtime_error("key '" + *left.begin() + "' is missing");
 }
 
 double number(const YAML::Node& node, const std::string& key) {
@@ -49,7 +50,7 @@ Route Route::load(const std::string& path) {
     const YAML::Node root = YAML::LoadFile(path);
     check_keys(root);
     return Route(number(root["speed"], "speed"), number(root["turn_rate"], "turn_rate"),
-                 points_of(root["waypoints"]));
+                 points_of(root["waypoints"]), root["rest"] ? number(root["rest"], "rest") : 0.0);
   } catch (const std::exception& error) {
     throw std::runtime_error("route " + path + ": " + error.what());
   }

@@ -41,9 +41,9 @@ class Builder {
   Tessellation& out_;
 };
 
-/// Chords of a circle whose sagitta stays below `kSagitta_m`.
-int chord_count(double radius_m) {
-  const double half_angle_rad = std::acos(std::max(0.0, 1.0 - kSagitta_m / radius_m));
+/// Chords of a circle whose sagitta stays below `sagitta_m`.
+int chord_count(double radius_m, double sagitta_m) {
+  const double half_angle_rad = std::acos(std::max(0.0, 1.0 - sagitta_m / radius_m));
   return std::max(12, static_cast<int>(std::ceil(kPi / half_angle_rad)));
 }
 
@@ -68,11 +68,12 @@ void add(const BoxShape& box, Builder& builder) {
 }
 
 void add(const CylinderShape& cylinder, Builder& builder) {
-  const int steps = chord_count(cylinder.radius_m);
+  const int steps = chord_count(cylinder.radius_m, kSagitta_m);
   const double r = cylinder.radius_m, h = cylinder.length_m / 2.0;
   const auto rim = [&](int step, double z_m) { return on_circle(r, step, steps, z_m); };
   builder.start_curved("side");
-  for (int i = 0; i < steps; ++i) builder.quad(rim(i, -h), rim(i + 1, -h), rim(i + 1, h), rim(i, h));
+  for (int i = 0; i < steps; ++i)
+    builder.quad(rim(i, -h), rim(i + 1, -h), rim(i + 1, h), rim(i, h));
   builder.start_planar("+z", Vector3d::UnitZ(), {0, 0, h});
   for (int i = 0; i < steps; ++i) builder.triangle({0, 0, h}, rim(i, h), rim(i + 1, h));
   builder.start_planar("-z", -Vector3d::UnitZ(), {0, 0, -h});
@@ -80,7 +81,7 @@ void add(const CylinderShape& cylinder, Builder& builder) {
 }
 
 void add(const SphereShape& sphere, Builder& builder) {
-  const int steps = chord_count(sphere.radius_m);
+  const int steps = chord_count(sphere.radius_m, kSagitta_m / 2.0);  // along and across add up
   const int rings = (steps + 1) / 2;
   const auto point = [&](int ring, int step) {
     const double polar_rad = kPi * ring / rings;
@@ -106,9 +107,7 @@ void add(const PlaneShape& plane, Builder& builder) {
 
 Vector3d normal_of(const MeshShape& mesh, const std::array<int, 3>& triangle) {
   const Vector3d& a = mesh.vertices_m[triangle[0]];
-  return (mesh.vertices_m[triangle[1]] - a)
-      .cross(mesh.vertices_m[triangle[2]] - a)
-      .normalized();
+  return (mesh.vertices_m[triangle[1]] - a).cross(mesh.vertices_m[triangle[2]] - a).normalized();
 }
 
 void add(const MeshShape& mesh, Builder& builder) {

@@ -81,7 +81,8 @@ TiltProfile::TiltProfile(const TiltProfileConfig& config) : config_(config) {
 }
 
 double TiltProfile::angle_rad(Time time) const {
-  const double phase_s = std::fmod(to_seconds(time), period_s());
+  const double time_in_all_s = to_seconds(time);
+  const double phase_s = time_in_all_s - period_s() * std::floor(time_in_all_s / period_s());
   std::size_t i = 1;
   while (i + 1 < config_.times_s.size() && phase_s >= config_.times_s[i]) ++i;
   const double from_rad = config_.positions_rad[i - 1], to_rad = config_.positions_rad[i];

@@ -17,7 +17,7 @@ struct TiltProfileConfig {
   };
   Shape shape = Shape::linear;
   std::vector<double> positions_rad = {-0.5, 1.0, -0.5};  ///< first equals last; cut at the limits
-  std::vector<double> times_s = {0.0, 1.5, 3.0};          ///< from 0, increasing; last is the period
+  std::vector<double> times_s = {0.0, 1.5, 3.0};  ///< from 0, increasing; last is the period
   double max_acceleration_rad_s2 = 30.0;  ///< of blended_linear (pr2_laser_tilt_controller.yaml)
 
   /// pr2_msgs/PeriodicCmd `linear`: starts at offset - amplitude (up), down after half a period.

@@ -3,20 +3,14 @@
 #include "sim/tour.hpp"
 
 #include "sim/pr2.hpp"
+#include "sim/stream_seed.hpp"
 
 namespace ribbon_mapper::sim {
 namespace {
 
-/// Streams of random numbers that do not disturb each other.
-constexpr std::uint64_t kRangeStream = 0x9e3779b97f4a7c15u, kLocalisationStream = 0xbf58476d1ce4e5b9u;
-
-/// Finaliser of SplitMix64: neighbouring seeds give unrelated streams.
-std::uint64_t stream_seed(std::uint64_t seed, std::uint64_t stream) {
-  std::uint64_t z = seed + stream;
-  z = (z ^ (z >> 30)) * 0xbf58476d1ce4e5b9u;
-  z = (z ^ (z >> 27)) * 0x94d049bb133111ebu;
-  return z ^ (z >> 31);
-}
+/// Streams of random numbers.
+constexpr std::uint64_t kRangeStream = 0x9e3779b97f4a7c15u;
+constexpr std::uint64_t kLocalisationStream = 0xbf58476d1ce4e5b9u;
 
 }  // namespace
 
@@ -31,7 +25,7 @@ struct Tour::State {
   }
 
   Pose T_map_laser(Time time) const {
-    return route.T_map_base(time) * pr2::T_base_laser(tilt.angle_rad(time));
+    return pr2::T_map_laser(route.T_map_base(time), tilt.angle_rad(time));
   }
 
   const World& world;
@@ -56,7 +50,11 @@ std::size_t Tour::line_count() const {
 
 std::optional<Scan> Tour::next_scan() {
   if (state_->next_line >= line_count()) return std::nullopt;
-  const Time stamp = static_cast<Time::rep>(state_->next_line++) * state_->hokuyo.period();
+  return scan(state_->next_line++);
+}
+
+Scan Tour::scan(std::size_t line) const {
+  const Time stamp = static_cast<Time::rep>(line) * state_->hokuyo.period();
   return state_->hokuyo.scan(state_->world, stamp,
                              [this](Time time) { return state_->T_map_laser(time); });
 }

@@ -40,14 +40,17 @@ class Tour {
   /// The next line of the laser, nothing after the last.
   std::optional<Scan> next_scan();
 
+  /// Any line of the tour, the same as next_scan() gives. Thread-safe.
+  Scan scan(std::size_t line) const;
+
   // Poses at any time of the tour, 0 .. duration().
   Pose true_T_map_base(Time time) const;
   Velocity true_velocity(Time time) const;  ///< of the base, in its own frame
-  Pose T_odom_base(Time time) const;   ///< odometry with its drift
-  Pose T_map_odom(Time time) const;    ///< what the simulated SLAM says
-  Pose noisy_T_map_base(Time time) const;  ///< T_map_odom * T_odom_base
-  double tilt_angle(Time time) const;  ///< laser_tilt_mount_joint [rad], positive looks down
-  Pose T_base_laser(Time time) const;  ///< laser_tilt_link in base_footprint
+  Pose T_odom_base(Time time) const;        ///< odometry with its drift
+  Pose T_map_odom(Time time) const;         ///< what the simulated SLAM says
+  Pose noisy_T_map_base(Time time) const;   ///< T_map_odom * T_odom_base
+  double tilt_angle(Time time) const;       ///< laser_tilt_mount_joint [rad], positive looks down
+  Pose T_base_laser(Time time) const;       ///< laser_tilt_link in base_footprint
 
  private:
   struct State;

@@ -6,9 +6,8 @@
 #include <algorithm>
 #include <cmath>
 #include <set>
-#include <unordered_map>
 
-#include "sim/tour.hpp"
+#include "sim/hit_grid.hpp"
 #include "sim/truth_patches.hpp"
 
 namespace ribbon_mapper::sim {
@@ -26,7 +25,7 @@ struct Group {
   Vector3d normal;
   double d_m;
   Vector3d u_axis, v_axis;
-  std::unordered_map<std::uint64_t, HitCell> cells;
+  HitGrid hits;
 
   Group(const Vector3d& normal_, double d) : normal(normal_), d_m(d) {
     const Vector3d level = normal.cross(Vector3d::UnitZ());
@@ -35,12 +34,11 @@ struct Group {
     v_axis = normal.cross(u_axis);
   }
 
-  void add(const Vector3d& point, int face) {
+  /// The cell's number: `next_number` if it is hit for the first time.
+  int add(const Vector3d& point, int face, int next_number) {
     const auto u = static_cast<std::int32_t>(std::floor(point.dot(u_axis) / kCell_m));
     const auto v = static_cast<std::int32_t>(std::floor(point.dot(v_axis) / kCell_m));
-    const std::uint64_t key = (static_cast<std::uint64_t>(static_cast<std::uint32_t>(u)) << 32) |
-                              static_cast<std::uint32_t>(v);
-    cells.emplace(key, HitCell{u, v, face});
+    return hits.add(u, v, face, next_number);
   }
 
   Vector3d centre(const HitCell& cell) const {
@@ -48,7 +46,8 @@ struct Group {
   }
 
   bool holds(const Vector3d& other_normal, double other_d_m) const {
-    return normal.dot(other_normal) > kSameNormalCosine && std::abs(d_m - other_d_m) < kSameOffset_m;
+    return normal.dot(other_normal) > kSameNormalCosine &&
+           std::abs(d_m - other_d_m) < kSameOffset_m;
   }
 
   TruthPlane plane(const std::vector<HitCell>& patch) const {
@@ -59,6 +58,7 @@ struct Group {
     std::set<int> faces;
     for (const HitCell& cell : patch) {
       plane.cells.push_back(centre(cell));
+      plane.cell_numbers.push_back(cell.number);
       faces.insert(cell.face);
     }
     plane.faces.assign(faces.begin(), faces.end());
@@ -66,9 +66,7 @@ struct Group {
   }
 
   std::vector<std::vector<HitCell>> patches() const {
-    std::vector<HitCell> hits;
-    for (const auto& [key, cell] : cells) hits.push_back(cell);
-    return linked_patches(std::move(hits), kMaxGap_m / kCell_m);
+    return linked_patches(hits.cells(), kMaxGap_m / kCell_m);
   }
 };
 
@@ -78,6 +76,7 @@ struct TruthCollector::State {
   const World& world;
   std::vector<Group> groups;
   std::vector<int> outer, inner;  ///< group of each face seen from its normal's side, from behind
+  int cell_count = 0;
 
   int group_of(const Vector3d& normal, double d_m) {
     for (std::size_t i = 0; i < groups.size(); ++i)
@@ -100,7 +99,7 @@ struct TruthCollector::State {
   }
 };
 
-TruthCollector::TruthCollector(const World& world) : state_(new State{world, {}, {}, {}}) {
+TruthCollector::TruthCollector(const World& world) : state_(new State{world, {}, {}, {}, 0}) {
   for (const Face& face : world.faces()) {
     state_->outer.push_back(face.planar ? state_->group_of(face.normal, face.d_m) : -1);
     state_->inner.push_back(face.planar ? state_->group_of(-face.normal, -face.d_m) : -1);
@@ -109,23 +108,25 @@ TruthCollector::TruthCollector(const World& world) : state_(new State{world, {},
 
 TruthCollector::~TruthCollector() = default;
 
-void TruthCollector::add(const Vector3d& point_map, const Vector3d& origin_map, int face) {
-  if (face < 0 || !state_->world.faces()[face].planar) return;
+int TruthCollector::add(const Vector3d& point_map, const Vector3d& origin_map, int face) {
+  if (face < 0 || !state_->world.faces()[face].planar) return -1;
   const Face& hit = state_->world.faces()[face];
   const bool from_outside = hit.normal.dot(origin_map) + hit.d_m >= 0.0;
-  state_->groups[from_outside ? state_->outer[face] : state_->inner[face]].add(point_map, face);
+  Group& group = state_->groups[from_outside ? state_->outer[face] : state_->inner[face]];
+  const int number = group.add(point_map, face, state_->cell_count);
+  state_->cell_count += number == state_->cell_count ? 1 : 0;
+  return number;
 }
 
-void TruthCollector::add(const Scan& scan, const Tour& tour) {
+std::vector<int> TruthCollector::add(const Scan& scan) {
+  std::vector<int> numbers(scan.faces.size(), -1);
   for (std::size_t i = 0; i < scan.faces.size(); ++i) {
     if (scan.faces[i] < 0) continue;
-    const double index = static_cast<double>(i);
-    const Time time = scan.stamp + from_seconds(index * scan.time_increment_s);
-    const Pose T_map_laser = tour.true_T_map_base(time) * tour.T_base_laser(time);
-    const double angle_rad = scan.angle_min_rad + index * scan.angle_increment_rad;
-    const Vector3d beam(std::cos(angle_rad), std::sin(angle_rad), 0.0);
-    add(T_map_laser * (scan.true_ranges_m[i] * beam), T_map_laser.translation(), scan.faces[i]);
+    const Ray& ray = scan.rays[i];
+    numbers[i] =
+        add(ray.origin + scan.true_ranges_m[i] * ray.direction, ray.origin, scan.faces[i]);
   }
+  return numbers;
 }
 
 std::vector<TruthPlane> TruthCollector::planes(double min_area_m2) const {

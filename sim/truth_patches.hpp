@@ -11,6 +11,7 @@ namespace ribbon_mapper::sim {
 struct HitCell {
   std::int32_t u = 0, v = 0;  ///< column and row
   int face = 0;               ///< index into World::faces()
+  int number = 0;             ///< among all cells that were hit
 };
 
 /// Patches of the cells: single linkage of cells whose edges are at most `max_gap_cells` apart.

@@ -50,7 +50,12 @@ World::~World() = default;
 
 std::optional<Hit> World::cast(const Eigen::Vector3d& origin_map,
                                const Eigen::Vector3d& direction_map, double max_range_m) const {
-  return state_->rays.cast(origin_map, direction_map, max_range_m);
+  return state_->rays.cast({origin_map, direction_map}, max_range_m);
+}
+
+std::vector<std::optional<Hit>> World::cast_line(const std::vector<Ray>& rays,
+                                                 double max_range_m) const {
+  return state_->rays.cast_line(rays, max_range_m);
 }
 
 const std::vector<Face>& World::faces() const { return state_->tessellation.faces; }

@@ -18,10 +18,10 @@ namespace ribbon_mapper::sim {
 /// The collision shapes of an SDF world, fixed for good. Its frame is `map`.
 class World {
  public:
-  /// Reads an SDF file: box, cylinder, sphere, plane and mesh collisions. `model_paths` are searched
-  /// for `model://` and relative URIs after the file's own folder. Throws std::runtime_error that
-  /// names the file and says what to do if it is missing, broken or without a collision, or if an
-  /// include or mesh of it is not found.
+  /// Reads an SDF file: box, cylinder, sphere, plane and mesh collisions. `model_paths` are
+  /// searched for `model://` and relative URIs after the file's own folder. Throws
+  /// std::runtime_error that names the file and says what to do if it is missing, broken or without
+  /// a collision, or if an include or mesh of it is not found.
   static World load(const std::string& path, const std::vector<std::string>& model_paths = {});
 
   World(World&&) noexcept;
@@ -31,6 +31,9 @@ class World {
   /// First surface along a ray (`direction` of length 1, both in map), from either side.
   std::optional<Hit> cast(const Eigen::Vector3d& origin_map, const Eigen::Vector3d& direction_map,
                           double max_range_m) const;
+
+  /// The same for each ray of a scan line, all together: faster (RayCaster::cast_line).
+  std::vector<std::optional<Hit>> cast_line(const std::vector<Ray>& rays, double max_range_m) const;
 
   const std::vector<Face>& faces() const;
   const std::vector<Triangle>& triangles() const;

@@ -11,16 +11,11 @@ there.
 """
 
 import json
-import os
 import pathlib
 import sys
 
-try:
-    import matplotlib
-except ImportError:
-    sys.exit("before_after.py: matplotlib is missing: sudo apt install python3-matplotlib")
+from figure_files import matplotlib, save_both
 
-matplotlib.use("Agg")
 import matplotlib.pyplot as plt  # noqa: E402 (needs the backend)
 from matplotlib.collections import LineCollection, PolyCollection  # noqa: E402
 from matplotlib.lines import Line2D  # noqa: E402
@@ -37,12 +32,6 @@ WORLD = {"color": "0.7", "linewidth": 0.5}
 FLOOR = (0.5, 0.5, 0.5, 0.07)
 BELIEVED = {"color": "tab:red", "linewidth": 1.0}
 TRUE = {"color": "black", "linewidth": 0.8, "linestyle": (0, (4, 3))}
-
-plt.rcParams.update({
-    "font.size": 8,
-    "svg.hashsalt": "ribbon_mapper",  # the same run gives the same bytes
-    "svg.fonttype": "none",
-})
 
 
 def load_json(path):
@@ -197,24 +186,12 @@ def draw(directory):
     return figure
 
 
-def save(figure, path, **options):
-    """The old file stays until the new one is whole."""
-    temporary = path.with_name(f".{path.name}.tmp")
-    try:
-        figure.savefig(temporary, format=path.suffix[1:], **options)
-        os.replace(temporary, path)
-    finally:
-        temporary.unlink(missing_ok=True)
-
-
 def main():
     if len(sys.argv) != 2:
         sys.exit("usage: before_after.py DIRECTORY")
     directory = pathlib.Path(sys.argv[1])
     try:
-        figure = draw(directory)
-        save(figure, directory / "before_after.svg", metadata={"Date": None})
-        save(figure, directory / "before_after.png", dpi=200)
+        save_both(draw(directory), directory / "before_after")
     except (OSError, ValueError, KeyError) as error:
         sys.exit(f"before_after.py: {error!r}")
 

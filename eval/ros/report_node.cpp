@@ -33,10 +33,13 @@ struct NodeParameters {
     p.world = from.text("world", "");
     p.model_path = from.text("model_path", "");
     p.timeout_s = from.number("timeout", 120.0, 1.0, 1e6);
-    p.summary.world = shared_name(p.world).string();
-    p.summary.route = shared_name(from.text("route", "")).string();
-    p.summary.seed = static_cast<std::uint64_t>(from.integer("seed", 0, 0, 2'000'000'000));
-    p.summary.drift = from.number("drift", 0.0, 0.0, 1000.0);
+    RunOptions& run = p.summary.run;
+    run.world = shared_name(p.world).string();
+    run.route = shared_name(from.text("route", "")).string();
+    run.config = shared_name(from.text("config", "")).string();
+    run.noise = run.tilt = "";  // the simulator's
+    run.seed = static_cast<std::uint64_t>(from.integer("seed", 0, 0, 2'000'000'000));
+    run.drift = from.number("drift", 0.0, 0.0, 1000.0);
     p.summary.command = from.text("command", "");
     from.refuse_unknown();
     return p;
@@ -103,13 +106,12 @@ class ReportNode {
   void write() {
     Results results = watch_.results();
     Summary& summary = results.summary;
-    const Summary& known = parameters_.summary;
-    summary.command = known.command, summary.world = known.world, summary.route = known.route;
-    summary.seed = known.seed, summary.drift = known.drift;
+    summary.command = parameters_.summary.command;
+    summary.run = parameters_.summary.run;
     results.world_outlines = outlines_of(parameters_);
     evaluate(results);
     write_results(results, parameters_.output);
-    draw_figure(parameters_.output);
+    draw_figure(Figure::before_after, parameters_.output);
     std::printf("\n%s\nresults in %s\n", summary_table(summary).c_str(),
                 parameters_.output.c_str());
     std::fflush(stdout);

@@ -25,7 +25,7 @@ double yaw_of(const Pose& pose) { return std::atan2(pose(1, 0), pose(0, 0)); }
 double angle_of(const Pose& pose) { return Eigen::AngleAxisd(pose.linear()).angle(); }
 
 bool is_valid(const Pose& pose) {
-  return pose.matrix().allFinite() &&
+  return pose.matrix().allFinite() && pose.linear().determinant() > 0.0 &&
          (pose.linear().transpose() * pose.linear() - Eigen::Matrix3d::Identity()).norm() < 1e-6;
 }
 

@@ -28,7 +28,7 @@ double yaw_of(const Pose& pose);
 /// Rotation angle of `pose` [rad], in 0..pi.
 double angle_of(const Pose& pose);
 
-/// True if every element is finite and the rotation is orthonormal to 1e-6.
+/// True if every element is finite and the rotation is orthonormal to 1e-6 and no mirror.
 bool is_valid(const Pose& pose);
 
 }  // namespace ribbon_mapper

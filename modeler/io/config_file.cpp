@@ -4,8 +4,13 @@
 
 #include <yaml-cpp/yaml.h>
 
+#include <array>
+#include <charconv>
+#include <ios>
 #include <map>
+#include <sstream>
 #include <stdexcept>
+#include <vector>
 
 #include "modeler/config_keys.hpp"
 
@@ -69,13 +74,52 @@ ModelerConfig read(const std::string& path) {
   return config;
 }
 
+/// Writes each key on a line of its own, below the sections that it is in.
+struct Listing {
+  std::string text;
+  std::vector<std::string> sections;
+
+  template <typename Number>
+  void operator()(const char* key, const Number& value, double, double) {
+    std::array<char, 32> digits;
+    const auto end = std::to_chars(digits.begin(), digits.end(), value).ptr;
+    add(key, std::string(digits.begin(), end));
+  }
+  void operator()(const char* key, const bool& value) { add(key, value ? "true" : "false"); }
+
+ private:
+  void add(const std::string& key, const std::string& value) {
+    std::vector<std::string> path;
+    std::istringstream parts(key);
+    for (std::string part; std::getline(parts, part, '.');) path.push_back(part);
+    std::size_t common = 0;
+    while (common < sections.size() && common + 1 < path.size() &&
+           sections[common] == path[common]) {
+      ++common;
+    }
+    for (std::size_t i = common; i < path.size(); ++i) {
+      text +=
+          std::string(2 * i, ' ') + path[i] + (i + 1 < path.size() ? ":\n" : ": " + value + "\n");
+    }
+    sections.assign(path.begin(), path.end() - 1);
+  }
+};
+
 }  // namespace
+
+std::string config_to_yaml(const ModelerConfig& config) {
+  Listing listing;
+  visit_keys(config, listing);
+  return listing.text;
+}
 
 ModelerConfig load_config(const std::string& path) {
   try {
     return read(path);
   } catch (const YAML::BadFile&) {
     throw std::invalid_argument(path + ": cannot be read: is there such a file?");
+  } catch (const std::ios_base::failure& error) {  // a folder, for instance
+    throw std::invalid_argument(path + ": cannot be read: " + error.what());
   } catch (const YAML::Exception& error) {
     throw std::invalid_argument(path + ": " + error.what());
   } catch (const std::invalid_argument& error) {

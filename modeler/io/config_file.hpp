@@ -13,4 +13,7 @@ namespace ribbon_mapper {
 /// cannot be read, a key is unknown, a value is of the wrong kind or out of range.
 ModelerConfig load_config(const std::string& path);
 
+/// A preset with every key, which load_config() reads as the same values.
+std::string config_to_yaml(const ModelerConfig& config);
+
 }  // namespace ribbon_mapper

@@ -9,9 +9,13 @@
 
 namespace ribbon_mapper {
 
-/// Along a concave edge, lines that straddle it pile up to a convincing plane across the corner
-/// (a bevel), though every one of its points lies on one of the faces. So a plane most of whose
-/// cells lie, as measured, on larger planes beside them is none.
+/// Which planes are none, because most of their cells lie, as measured, on larger planes beside
+/// them. Along a concave edge, lines that straddle it pile up to a convincing plane across the
+/// corner (a bevel). And where few ribbons see a wall's end, the poor normals of some make a second
+/// plane of almost its direction (a splinter), which a gap may part from the rest of the wall.
+std::vector<bool> are_bevels(const std::vector<const Plane*>& planes, const PlaneMapConfig& config);
+
+/// Those that are planes, the largest first.
 std::vector<Plane> without_bevels(std::vector<Plane> planes, const PlaneMapConfig& config);
 
 }  // namespace ribbon_mapper

@@ -57,6 +57,22 @@ void CellGrid::add(const Eigen::Vector3d& point, std::uint32_t count) {
   sums.square_m2 += weight * distance * distance;
 }
 
+float CellGrid::count_at(int u, int v) const {
+  const int column = floor_div(u, tile_side), row = floor_div(v, tile_side);
+  const auto tile = tiles_.find(key_of(column, row));
+  if (tile == tiles_.end()) return 0.0F;
+  return tile->second->sums[(v - row * tile_side) * tile_side + (u - column * tile_side)].count;
+}
+
+bool CellGrid::is_spill(int u, int v, float count) const {
+  for (int dv = -1; dv <= 1; ++dv) {
+    for (int du = -1; du <= 1; ++du) {
+      if (count < spilled_share * count_at(u + du, v + dv)) return true;
+    }
+  }
+  return false;
+}
+
 std::vector<PlaneCell> CellGrid::cells() const {
   std::vector<PlaneCell> cells;
   for (const auto& [key, tile] : tiles_) {
@@ -68,6 +84,7 @@ std::vector<PlaneCell> CellGrid::cells() const {
       PlaneCell cell;
       cell.u = u0 + i % tile_side;
       cell.v = v0 + i / tile_side;
+      if (is_spill(cell.u, cell.v, sums.count)) continue;
       cell.count = static_cast<std::uint32_t>(sums.count);
       cell.mean_m = sums.distance_m / sums.count;
       cell.variance_m2 =

@@ -26,6 +26,7 @@ class CellGrid {
 
  private:
   static constexpr int tile_side = 32;
+  static constexpr float spilled_share = 0.05F;  // of what the best neighbour has: 0.4 sigma in the plane over a cell
   struct Sums {
     float count = 0.0F, distance_m = 0.0F, square_m2 = 0.0F;
   };
@@ -33,6 +34,9 @@ class CellGrid {
     Sums sums[tile_side * tile_side];
   };
   Sums& at(int u, int v);
+  float count_at(int u, int v) const;
+  /// Noise carries a few points over the edge of what many have seen.
+  bool is_spill(int u, int v, float count) const;
 
   Eigen::Matrix3d to_grid_;     // rows: axis_u, axis_v in cells; normal in metres
   Eigen::Vector3d grid_shift_;

@@ -3,13 +3,18 @@
 #include "modeler/map/curvature.hpp"
 
 #include <Eigen/Cholesky>
+#include <algorithm>
 #include <cmath>
 #include <limits>
+#include <vector>
 
 namespace ribbon_mapper {
 namespace {
 
 using Vector6d = Eigen::Matrix<double, 6, 1>;
+constexpr std::size_t least_cells = 12;    // to tell a shape
+constexpr std::uint32_t least_points = 4;  // of a well-seen cell
+
 using Matrix6d = Eigen::Matrix<double, 6, 6>;
 
 /// Height h(u, v) = c0 + c1 u + c2 v + (c3 u^2 + 2 c4 u v + c5 v^2) / 2.
@@ -22,7 +27,7 @@ Vector6d terms(double u, double v) {
 }  // namespace
 
 Curvature curvature_of(const Plane& plane) {
-  if (plane.cells.size() < 12) return {0.0, std::numeric_limits<double>::infinity(), 0.0};
+  if (plane.cells.size() < least_cells) return {0.0, std::numeric_limits<double>::infinity(), 0.0};
   Matrix6d normal_matrix = Matrix6d::Zero();
   Vector6d right = Vector6d::Zero();
   double square = 0.0;
@@ -53,6 +58,17 @@ Curvature curvature_of(const Plane& plane) {
   const double bend = std::abs(mean + sign * radius);
   return {bend, std::sqrt(variance * derivative.dot(solver.solve(derivative))),
           bend * length_square / 8.0};
+}
+
+std::optional<double> cell_scatter_m(const Plane& plane) {
+  std::vector<double> distances;
+  for (const PlaneCell& cell : plane.cells) {
+    if (cell.count >= least_points) distances.push_back(std::abs(cell.mean_m));
+  }
+  if (distances.size() < least_cells) return std::nullopt;
+  const auto place = distances.begin() + static_cast<std::ptrdiff_t>(distances.size() * 4 / 5);
+  std::nth_element(distances.begin(), place, distances.end());
+  return *place;
 }
 
 }  // namespace ribbon_mapper

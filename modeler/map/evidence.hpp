@@ -24,6 +24,7 @@ class Evidence {
     return T_map_world().inverse(Eigen::Isometry) * (*poses_)[pose].T_map_base;
   }
 
+  std::size_t ribbon_count() const { return ribbons_->size(); }
   PosedRibbon ribbon(std::size_t index) const {
     const Ribbon& ribbon = (*ribbons_)[index];
     return {ribbon, T_world_base(ribbon.pose)};

@@ -9,7 +9,6 @@ namespace ribbon_mapper {
 namespace {
 
 constexpr double degree = M_PI / 180.0;
-constexpr double least_cosine_of_side = 0.5;
 // An error of a normal excuses no more than this, however short the base line.
 constexpr double max_excuse_rad = 3.0 * degree;
 

@@ -12,6 +12,9 @@
 
 namespace ribbon_mapper {
 
+/// Ribbons and planes whose normals lie further apart than this were seen from another side.
+constexpr double least_cosine_of_side = 0.5;
+
 /// A ribbon's part in a hypothesis.
 struct Member {
   std::uint32_t ribbon = 0;  ///< index

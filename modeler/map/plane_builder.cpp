@@ -36,6 +36,15 @@ bool is_curved(const Plane& plane, const PlaneMapConfig& config) {
          curvature.sagitta_m > config.flat_within_m;
 }
 
+/// Things side by side whose faces are almost in line (a row of chairs) pass for one plane, but not
+/// for a flat one: four fifths of a plane's cells lie within 0.8 sigma of a single ribbon (the gate
+/// is two of them), as a cell is the mean of several. Large planes may sag.
+bool is_row_of_things(const Plane& plane, const AssociationGates& gates,
+                      const PlaneMapConfig& config) {
+  if (plane.area_m2 > 4.0 * config.least_area_m2) return false;
+  return cell_scatter_m(plane).value_or(0.0) > 0.4 * gates.distance_m;
+}
+
 void move(Plane& plane, const Pose& T_map_world) {
   plane.normal = T_map_world.linear() * plane.normal;
   plane.axis_u = T_map_world.linear() * plane.axis_u;
@@ -45,13 +54,24 @@ void move(Plane& plane, const Pose& T_map_world) {
   plane.d_m = -plane.normal.dot(plane.origin);
 }
 
-/// Takes out what is too small or a bevel; the others by id, in the map frame.
+std::vector<Surface> without_bevels(std::vector<Surface> surfaces, const PlaneMapConfig& config) {
+  std::vector<const Plane*> planes;
+  for (const Surface& surface : surfaces) planes.push_back(&surface.plane());
+  const std::vector<bool> bevels = are_bevels(planes, config);
+  std::vector<Surface> kept;
+  for (std::size_t i = 0; i < surfaces.size(); ++i) {
+    if (!bevels[i]) kept.push_back(std::move(surfaces[i]));
+  }
+  return kept;
+}
+
+/// Takes out what is too small, curved or a bevel; the others by id, in the map frame.
 std::vector<Plane> finished(const std::vector<Surface>& surfaces, double least_area_m2,
                             const Evidence& evidence, const PlaneMapConfig& config) {
   std::vector<Plane> planes;
   for (const Surface& surface : surfaces) {
     const Plane& plane = surface.plane();
-      if (plane.area_m2 >= least_area_m2) planes.push_back(plane);
+    if (plane.area_m2 >= least_area_m2 && !is_curved(plane, config)) planes.push_back(plane);
   }
   planes = without_bevels(std::move(planes), config);
   for (Plane& plane : planes) move(plane, evidence.T_map_world());
@@ -67,8 +87,7 @@ std::vector<Plane> confirmed_planes(const std::vector<Hypothesis>& hypotheses,
   std::vector<Surface> surfaces;
   for (const Hypothesis& hypothesis : hypotheses) {
     if (!is_promising(config.confirmed_area_m2, hypothesis, evidence, config)) continue;
-    Surface surface(hypothesis, evidence, config);
-    if (!is_curved(surface.plane(), config)) surfaces.push_back(std::move(surface));
+    surfaces.emplace_back(hypothesis, evidence, config);
   }
   return finished(surfaces, config.confirmed_area_m2, evidence, config);
 }
@@ -91,12 +110,17 @@ std::vector<Plane> filtered_planes(const std::vector<Hypothesis>& hypotheses,
            split(group, grouped.plane(), config.bridged_gap_m, evidence)) {
         if (!is_promising(least_m2, part, evidence, config)) continue;
         Surface surface(part, evidence, config);
-        if (surface.plane().area_m2 < least_m2 || is_curved(surface.plane(), config)) continue;
-        surfaces.push_back(std::move(surface));
+        if (surface.plane().area_m2 >= least_m2) surfaces.push_back(std::move(surface));
       }
     }
   }
+  surfaces = without_bevels(std::move(surfaces), config);
   take_strays(evidence, config, surfaces);
+  surfaces.erase(std::remove_if(surfaces.begin(), surfaces.end(),
+                                [&](const Surface& surface) {
+                                  return is_row_of_things(surface.plane(), gates, config);
+                                }),
+                 surfaces.end());
   std::vector<Plane> planes = finished(surfaces, config.least_area_m2, evidence, config);
   for (Plane& plane : planes) plane.outline = outline_of(plane, config.bridged_gap_m);
   return planes;

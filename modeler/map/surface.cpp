@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 
 #include "modeler/map/footprint.hpp"
 #include "modeler/map/voxel_index.hpp"
@@ -34,6 +35,8 @@ Plane frame_of(const Hypothesis& hypothesis, const PlaneMapConfig& config) {
   plane.id = hypothesis.id;
   plane.cell_size_m = config.cell_size_m;
   plane.ribbon_count = hypothesis.members().size();
+  for (const Member& member : hypothesis.members()) plane.ribbons.push_back(member.ribbon);
+  std::sort(plane.ribbons.begin(), plane.ribbons.end());
   plane.normal = hypothesis.normal();
   plane.d_m = hypothesis.d_m();
   plane.origin = -plane.d_m * plane.normal;
@@ -73,8 +76,44 @@ class StrayTaker {
     }
   }
 
-  /// The nearest of those that face the sensor; none if all are too far.
-  Surface* surface_of(const Eigen::Vector3d& point, const Eigen::Vector3d& sensor) {
+  void give(const StrayPoints& strays, const Pose& T_world_base) {
+    const Eigen::Vector3d sensor = T_world_base * strays.sensor.cast<double>();
+    const auto faces = [&](const Plane& plane) {
+      return plane.normal.dot(sensor) + plane.d_m > 0.0;
+    };
+    for (const RibbonSample& sample : strays.samples) give(sample, T_world_base, faces);
+  }
+
+  /// The surface that most of the points were given to owns the ribbon.
+  void give(const PosedRibbon& ribbon, std::uint32_t index) {
+    const auto faces = [&](const Plane& plane) {
+      return plane.normal.dot(ribbon.normal) > least_cosine_of_side;
+    };
+    std::uint32_t all = 0;
+    given_.clear();
+    for (const RibbonSample& sample : ribbon.ribbon->samples) {
+      all += sample.count;
+      if (Surface* surface = give(sample, ribbon.T_world_base, faces)) {
+        given_[surface] += sample.count;
+      }
+    }
+    for (const auto& [surface, count] : given_) {
+      if (2 * count > all) surface->own(index);
+    }
+  }
+
+ private:
+  template <typename Faces>
+  Surface* give(const RibbonSample& sample, const Pose& T_world_base, const Faces& faces) {
+    const Eigen::Vector3d point = T_world_base * sample.point.cast<double>();
+    Surface* surface = surface_of(point, faces);
+    if (surface) surface->add(point, sample.count);
+    return surface;
+  }
+
+  /// The nearest of those that face the way that the point was seen from; none if all are too far.
+  template <typename Faces>
+  Surface* surface_of(const Eigen::Vector3d& point, const Faces& faces) {
     const VoxelKey key = index_.key_of(point);
     if (keys_.empty() || keys_[0] != key) keys_.assign(1, key), index_.near(keys_, near_);
     Surface* nearest = nullptr;
@@ -82,21 +121,30 @@ class StrayTaker {
     for (const std::uint32_t slot : near_) {
       const Plane& plane = surfaces_[slot].plane();
       const double distance = std::abs(plane.normal.dot(point) + plane.d_m);
-      if (distance > least_m || plane.normal.dot(sensor) + plane.d_m <= 0.0) continue;
+      if (distance > least_m || !faces(plane)) continue;
       if (!footprints_[slot].holds(point, on_plane_m_)) continue;
       nearest = &surfaces_[slot], least_m = distance;
     }
     return nearest;
   }
 
- private:
   double on_plane_m_;
   std::vector<Surface>& surfaces_;
   VoxelIndex index_;
   std::vector<Footprint> footprints_;
   std::vector<VoxelKey> keys_;      // of the last point
   std::vector<std::uint32_t> near_;  // surfaces near it
+  std::map<Surface*, std::uint32_t> given_;  // points of one ribbon
 };
+
+/// Of each ribbon, whether it belongs to a surface.
+std::vector<bool> owned_ribbons(const std::vector<Surface>& surfaces, std::size_t count) {
+  std::vector<bool> owned(count, false);
+  for (const Surface& surface : surfaces) {
+    for (const std::uint32_t ribbon : surface.plane().ribbons) owned[ribbon] = true;
+  }
+  return owned;
+}
 
 }  // namespace
 
@@ -108,6 +156,7 @@ Surface::Surface(const Hypothesis& hypothesis, const Evidence& evidence,
 }
 
 void Surface::refresh() {
+  std::sort(plane_.ribbons.begin(), plane_.ribbons.end());
   plane_.cells = grid_.cells();
   plane_.area_m2 = plane_.cells.size() * plane_.cell_size_m * plane_.cell_size_m;
   plane_.centroid.setZero();
@@ -120,12 +169,11 @@ void take_strays(const Evidence& evidence, const PlaneMapConfig& config,
   StrayTaker taker(config, surfaces);
   for (std::size_t line = 0; line < evidence.stray_lines(); ++line) {
     const StrayPoints& strays = evidence.strays(line);
-    const Pose T_world_base = evidence.T_world_base(strays.pose);
-    const Eigen::Vector3d sensor = T_world_base * strays.sensor.cast<double>();
-    for (const RibbonSample& sample : strays.samples) {
-      const Eigen::Vector3d point = T_world_base * sample.point.cast<double>();
-      if (Surface* surface = taker.surface_of(point, sensor)) surface->add(point, sample.count);
-    }
+    taker.give(strays, evidence.T_world_base(strays.pose));
+  }
+  const std::vector<bool> owned = owned_ribbons(surfaces, evidence.ribbon_count());
+  for (std::uint32_t i = 0; i < owned.size(); ++i) {
+    if (!owned[i]) taker.give(evidence.ribbon(i), i);
   }
   for (Surface& surface : surfaces) surface.refresh();
 }

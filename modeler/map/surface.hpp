@@ -22,6 +22,8 @@ class Surface {
 
   /// Cells that points of no ribbon have seen; refresh() makes them part of the plane.
   void add(const Eigen::Vector3d& point, std::uint32_t count) { grid_.add(point, count); }
+  /// A ribbon of no hypothesis, most of whose points were added.
+  void own(std::uint32_t ribbon) { plane_.ribbons.push_back(ribbon); }
   void refresh();
 
  private:
@@ -29,7 +31,8 @@ class Surface {
   CellGrid grid_;
 };
 
-/// Gives each point of no ribbon to the surface that it lies on, beside what ribbons have seen of
+/// Gives each point of no ribbon, or of a ribbon of no surface (one whose normal was spoilt by an
+/// edge or a short base line), to the surface that it lies on, beside what ribbons have seen of
 /// that: the area of a small plane, or of one seen at a slant, is that of all that was seen.
 void take_strays(const Evidence& evidence, const PlaneMapConfig& config,
                  std::vector<Surface>& surfaces);

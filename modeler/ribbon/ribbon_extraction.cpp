@@ -15,6 +15,16 @@ Moments three_lines(const LineBuffer& buffer, std::size_t begin, std::size_t end
          buffer.next().moments(begin, end);
 }
 
+/// Beams that a run's plane is estimated from: a short run's middle lends its neighbourhood. Empty
+/// if it has none.
+Neighbourhood support_of(const LineBuffer& buffer, Neighbourhood run, const RibbonConfig& config) {
+  if (run.size() >= 2 * static_cast<std::size_t>(config.least_points)) return run;
+  const Neighbourhood around =
+      neighbourhood_of(buffer, (run.begin + run.end) / 2, config.neighbourhood_m);
+  if (around.size() == 0) return {};
+  return {std::min(run.begin, around.begin), std::max(run.end, around.end)};
+}
+
 }  // namespace
 
 RibbonExtraction::RibbonExtraction(const ScanConfig& scan, const RibbonConfig& config)
@@ -132,14 +142,9 @@ bool RibbonExtraction::straddles_an_edge(const LineBuffer& buffer, const Run& co
 
 void RibbonExtraction::make_ribbon(const LineBuffer& buffer, const Run& run) {
   const ScanLine& line = buffer.middle();
-  Run core = run;
-  if (core.end - core.begin < 2 * static_cast<std::size_t>(config_.least_points)) {
-    const Neighbourhood around =
-        neighbourhood_of(buffer, (core.begin + core.end) / 2, config_.neighbourhood_m);
-    if (around.size() == 0) return;
-    core.begin = std::min(core.begin, around.begin);
-    core.end = std::max(core.end, around.end);
-  }
+  const Neighbourhood support = support_of(buffer, {run.begin, run.end}, config_);
+  if (support.size() == 0) return;
+  Run core{support.begin, support.end, run.area_m2};
   const Moments all = three_lines(buffer, core.begin, core.end);
   const PlaneFit plane = fit_plane(all);
   const double noise = config_.outlier_sigmas * scan_.range_sigma_m;

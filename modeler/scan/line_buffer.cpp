@@ -57,7 +57,7 @@ double base_line_m(const ScanLine& before, const ScanLine& line) {
   constexpr std::size_t samples = 32;
   std::array<double, samples> distances;
   std::size_t count = 0;
-  const std::size_t stride = std::max<std::size_t>(1, line.size() / samples);
+  const std::size_t stride = (line.size() + samples - 1) / samples;
   for (std::size_t i = 0; i < line.size() && count < samples; i += stride) {
     if (!line.has_return(i)) continue;
     const Eigen::Vector3d moved = line.origins[i] - before.origins[i] +

@@ -111,7 +111,7 @@ void TourPublisher::publish_scans(Time now) {
   // A driver sends a scan when its last beam is in.
   while (next_scan_ && kStart + end_of(*next_scan_) <= now) {
     scan_.publish(scan_message(*next_scan_, stamp_of(kStart + next_scan_->stamp)));
-    truth_.add(*next_scan_, tour_);
+    truth_.add(*next_scan_);
     ++lines_;
     next_scan_ = tour_.next_scan();
   }

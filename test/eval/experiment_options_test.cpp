@@ -5,6 +5,7 @@
 #include <gmock/gmock.h>
 
 #include <filesystem>
+#include <set>
 
 #include "eval/share.hpp"
 
@@ -13,6 +14,7 @@ namespace {
 
 using testing::ElementsAre;
 using testing::HasSubstr;
+using testing::SizeIs;
 using testing::ThrowsMessage;
 
 std::variant<ExperimentOptions, int> parsed(std::vector<const char*> arguments) {
@@ -22,42 +24,50 @@ std::variant<ExperimentOptions, int> parsed(std::vector<const char*> arguments) 
 
 TEST(ExperimentOptions, WithoutAnyItIsTheApartment) {
   const auto options = std::get<ExperimentOptions>(parsed({}));
-  EXPECT_TRUE(std::filesystem::exists(find_shared(options.world))) << options.world;
-  EXPECT_TRUE(std::filesystem::exists(route_path(options))) << route_path(options);
-  EXPECT_THAT(options.seeds, ElementsAre(1U));
-  EXPECT_FALSE(options.many_seeds);
+  ASSERT_THAT(options.runs, SizeIs(1));
+  const RunOptions& run = options.runs.front();
+  EXPECT_TRUE(std::filesystem::exists(find_shared(run.world))) << run.world;
+  EXPECT_TRUE(std::filesystem::exists(route_path(run))) << route_path(run);
+  EXPECT_EQ(run.seed, 1U);
+  EXPECT_FALSE(run.beams || run.speed_m_s || run.deskew);
+  EXPECT_FALSE(options.is_sweep);
 }
 
 TEST(ExperimentOptions, AllAreTaken) {
   const auto options = std::get<ExperimentOptions>(parsed(
-      {"--world",  "w.sdf",  "--route",  "r.yaml", "--seeds",      "3-5", "--drift",      "0.5",
-       "--output", "out",    "--config", "c.yaml", "--model-path", "m1",  "--model-path", "m2",
-       "--noise",  "gazebo", "--tilt",   "nav",    "--jobs",       "2",   "--no-figure"}));
-  EXPECT_EQ(options.world, "w.sdf");
-  EXPECT_EQ(route_path(options), "r.yaml");
-  EXPECT_THAT(options.seeds, ElementsAre(3U, 4U, 5U));
-  EXPECT_TRUE(options.many_seeds);
-  EXPECT_EQ(options.drift, 0.5);
+      {"--world",  "w.sdf", "--route", "r.yaml", "--seed",     "4",  "--drift",      "0.5",
+       "--output", "out",   "--config", "c.yaml", "--model-path", "m1", "--model-path", "m2",
+       "--noise",  "gazebo", "--tilt",  "nav",    "--jobs",     "2",  "--no-figure",  "--line",
+       "--beams",  "720",   "--speed",  "0.6",    "--deskew",   "off"}));
+  ASSERT_THAT(options.runs, SizeIs(1));
+  const RunOptions& run = options.runs.front();
+  EXPECT_EQ(route_path(run), "r.yaml");
   EXPECT_EQ(options.output, "out");
-  EXPECT_THAT(options.model_paths, testing::IsSupersetOf({"m1", "m2"}));
+  EXPECT_THAT(run.model_paths, testing::IsSupersetOf({"m1", "m2"}));
   EXPECT_EQ(options.jobs, 2U);
   EXPECT_FALSE(options.with_figure);
-  const std::string command = command_of(options, 4);
+  EXPECT_TRUE(options.line_only);
+  const std::string command = command_of(run);
   EXPECT_EQ(command.substr(0, command.find(" --model-path")),
             "rosrun ribbon_mapper experiment --world w.sdf --route r.yaml --seed 4 --drift 0.5 "
-            "--config c.yaml --noise gazebo --tilt nav");
+            "--config c.yaml --noise gazebo --tilt nav --beams 720 --speed 0.6 --deskew off");
 }
 
-TEST(ExperimentOptions, TheRouteIsBesideTheWorld) {
-  ExperimentOptions options;
-  options.world = "my/flat.world";
-  EXPECT_EQ(route_path(options), "my/flat.route.yaml");
+TEST(ExperimentOptions, ListsAreSweptInAllCombinations) {
+  const auto options = std::get<ExperimentOptions>(
+      parsed({"--world", "a.sdf,b.sdf", "--world", "c.sdf", "--drift", "0,0.5", "--seeds", "3-5",
+              "--deskew", "on,off", "--tilt", "manip,nav,slow", "--beams", "380,720,1040",
+              "--speed", "0.1,0.6", "--noise", "gazebo,none"}));
+  EXPECT_TRUE(options.is_sweep);
+  EXPECT_THAT(options.runs, SizeIs(3 * 2 * 3 * 2 * 3 * 3 * 2 * 2));
+  std::set<std::string> commands;
+  for (const RunOptions& run : options.runs) commands.insert(command_of(run));
+  EXPECT_THAT(commands, SizeIs(options.runs.size())) << "each once";
+  EXPECT_THAT(options.command, HasSubstr("--speed 0.1,0.6"));
 }
 
-TEST(ExperimentOptions, ACommandSurvivesTheShell) {
-  ExperimentOptions options;
-  options.world = "my flat.sdf";
-  EXPECT_THAT(command_of(options, 1), HasSubstr("--world 'my flat.sdf' --seed 1"));
+TEST(ExperimentOptions, ASingleSeedOfAListIsASweep) {
+  EXPECT_TRUE(std::get<ExperimentOptions>(parsed({"--seeds", "7"})).is_sweep);
 }
 
 using Arguments = std::vector<const char*>;
@@ -82,7 +92,14 @@ INSTANTIATE_TEST_SUITE_P(ExperimentOptions, WrongUsage,
                                          std::pair(Arguments{"--seeds", "5-1"}, "1-20"),
                                          std::pair(Arguments{"--jobs", "0"}, "--jobs"),
                                          std::pair(Arguments{"--noise", "loud"}, "datasheet"),
-                                         std::pair(Arguments{"--tilt", "wild"}, "manip")));
+                                         std::pair(Arguments{"--tilt", "wild"}, "manip"),
+                                         std::pair(Arguments{"--tilt", "nav,wild"}, "manip"),
+                                         std::pair(Arguments{"--drift", "1,-1"}, "--drift"),
+                                         std::pair(Arguments{"--beams", "1081"}, "--beams"),
+                                         std::pair(Arguments{"--speed", "0"}, "--speed"),
+                                         std::pair(Arguments{"--deskew", "maybe"}, "--deskew"),
+                                         std::pair(Arguments{"--world", "a,b", "--route", "r"},
+                                                   "--route")));
 
 TEST(ExperimentOptions, HelpEndsWithZero) {
   testing::internal::CaptureStdout();

@@ -6,53 +6,67 @@
 
 #include <nlohmann/json.hpp>
 
+#include "eval/summary.hpp"
+
 namespace ribbon_mapper::eval {
 namespace {
 
 using testing::HasSubstr;
 
-Summary run(std::uint64_t seed, std::size_t noisy_planes) {
+Record run(std::uint64_t seed, std::size_t noisy_planes, double drift = 1.0) {
   Summary summary;
-  summary.seed = seed;
+  summary.run.seed = seed;
+  summary.run.drift = drift;
   summary.cells.noisy_raw.planes = noisy_planes;
   summary.cells.corrected_merged.angle_error_deg_mean = 0.1 * static_cast<double>(seed);
-  return summary;
+  return record_of(run_line(summary, ""));
 }
 
-nlohmann::json spread(const std::vector<Summary>& runs, const char* key) {
-  return nlohmann::json::parse(spread_to_json(runs)).at("spread").at(key);
+nlohmann::json spread(const std::vector<Record>& runs, const char* key) {
+  return nlohmann::json::parse(sweep_summary_to_json(runs, ""))
+      .at("groups").at(0).at("spread").at(key);
 }
 
-TEST(Spread, MedianOfAnOddAndOfAnEvenNumberOfRuns) {
-  const std::vector<Summary> three{run(1, 130), run(2, 90), run(3, 110)};
-  EXPECT_EQ(spread(three, "planes_noisy_raw").at("least"), 90);
-  EXPECT_EQ(spread(three, "planes_noisy_raw").at("median"), 110);
-  EXPECT_EQ(spread(three, "planes_noisy_raw").at("most"), 130);
-  EXPECT_EQ(spread({three[0], three[1]}, "planes_noisy_raw").at("median"), 110);
-  EXPECT_EQ(spread({three[0], three[2]}, "planes_noisy_raw").at("median"), 120);
+TEST(Spread, MediansAndQuartiles) {
+  const auto figures = spread({run(1, 130), run(2, 90), run(3, 110)}, "planes_noisy_raw");
+  EXPECT_EQ(figures.at("least"), 90);
+  EXPECT_EQ(figures.at("lower_quartile"), 100);
+  EXPECT_EQ(figures.at("median"), 110);
+  EXPECT_EQ(figures.at("upper_quartile"), 120);
+  EXPECT_EQ(figures.at("most"), 130);
+  EXPECT_EQ(spread({run(1, 1), run(2, 4)}, "four_cells.noisy_raw.planes").at("median"), 2.5);
 }
 
 TEST(Spread, ARunWithoutAMatchDoesNotCountAsZero) {
-  Summary without = run(1, 1);
-  without.cells.corrected_merged.angle_error_deg_mean.reset();
-  EXPECT_NEAR(spread({without, run(3, 1)}, "angle_error_deg_mean").at("least"), 0.3, 1e-12);
-  EXPECT_TRUE(spread({without}, "angle_error_deg_mean").at("median").is_null());
+  Record without = run(1, 1);
+  without.figures.erase("angle_error_deg_mean");
+  EXPECT_NEAR(spread({run(3, 1), without}, "angle_error_deg_mean").at("least"), 0.3, 1e-12);
 }
 
 TEST(Spread, CountsTheRunsThatAreRight) {
-  std::vector<Summary> runs{run(1, 1), run(2, 1), run(3, 1), run(4, 1)};
-  runs[0].cells.corrected_merged.missed = {3};
-  runs[1].cells.corrected_merged.extra = {3};
-  runs[2].cells.corrected_merged.duplicates = {3};
-  EXPECT_EQ(nlohmann::json::parse(spread_to_json(runs)).at("right"), 1);
-  EXPECT_THAT(spread_foot(runs), HasSubstr("1 of 4 runs"));
+  std::vector<Record> runs{run(1, 1), run(2, 1), run(3, 1), run(4, 1)};
+  runs[0].figures["missed"] = runs[1].figures["extra"] = runs[2].figures["duplicates"] = 1;
+  EXPECT_EQ(nlohmann::json::parse(sweep_summary_to_json(runs, "")).at("right"), 1);
+  EXPECT_THAT(spread_foot(runs, 10), HasSubstr("1 of 4 runs"));
+}
+
+TEST(Spread, RunsOfLikeConditionsAreAGroup) {
+  const std::vector<Record> runs{run(1, 10, 0.5), run(2, 20, 0.5), run(1, 40, 2.0)};
+  const auto json = nlohmann::json::parse(sweep_summary_to_json(runs, "the command"));
+  EXPECT_EQ(json.at("command"), "the command");
+  EXPECT_FALSE(json.at("version").get<std::string>().empty());
+  ASSERT_EQ(json.at("groups").size(), 2U);
+  EXPECT_EQ(json.at("groups").at(0).at("drift"), 0.5);
+  EXPECT_EQ(json.at("groups").at(0).at("runs"), 2);
+  EXPECT_EQ(json.at("groups").at(1).at("spread").at("planes_noisy_raw").at("median"), 40);
+  EXPECT_THAT(spread_foot(runs, 20), HasSubstr("drift 0.5, 2 runs\n"));
 }
 
 TEST(Spread, RowsStandUnderTheHead) {
-  const std::size_t width = spread_head().size();
-  EXPECT_EQ(spread_row(run(7, 110)).size(), width);
-  EXPECT_THAT(spread_row(run(7, 110)), testing::StartsWith("7 "));
-  EXPECT_THAT(spread_foot({run(7, 110)}), HasSubstr("median"));
+  const std::size_t width = spread_head(20).size();
+  EXPECT_EQ(spread_row("seed 7", run(7, 110), 20).size(), width);
+  EXPECT_THAT(spread_row("seed 7", run(7, 110), 20), testing::StartsWith("seed 7 "));
+  EXPECT_THAT(spread_foot({run(7, 110)}, 20), HasSubstr("median"));
 }
 
 }  // namespace

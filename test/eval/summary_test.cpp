@@ -23,10 +23,10 @@ MapMetrics metrics_with(std::size_t planes) {
 Summary sample() {
   Summary s;
   s.command = "experiment --seed 7";
-  s.world = "flat.sdf";
-  s.route = "flat.route.yaml";
-  s.seed = 7;
-  s.drift = 0.5;
+  s.run.world = "flat.sdf";
+  s.run.route = "flat.route.yaml";
+  s.run.seed = 7;
+  s.run.drift = 0.5;
   s.lines = 9000;
   s.dropped_lines = 3;
   s.ribbons = 80000;
@@ -94,6 +94,57 @@ TEST(SummaryJson, HoldsTheFourCells) {
   EXPECT_EQ(cells.at("corrected_merged").at("duplicates"), 5);
 }
 
+PointMetrics points_with(std::size_t correct) {
+  PointMetrics p;
+  p.segcomp.correct = correct;
+  p.segcomp.over = 11;
+  p.segcomp.under = 12;
+  p.segcomp.missed = {1, 2, 3};
+  p.segcomp.noise = {1};
+  p.segcomp.correct_points_share = 0.5;
+  p.segcomp.correct_share = 0.75;
+  p.duplication.duplicates = 13;
+  p.evops.f1 = 0.682;
+  p.segcomp_all.correct = 2 * correct;
+  return p;
+}
+
+TEST(SummaryJson, HoldsThePointsOfTheFourCells) {
+  Summary s = sample();
+  const json without = json::parse(summary_to_json(s)).at("four_cells").at("noisy_raw");
+  EXPECT_TRUE(without.at("segcomp").is_null()) << "over ROS";
+  s.points = {points_with(1), points_with(2), points_with(3), points_with(4)};
+  const json cells = json::parse(summary_to_json(s)).at("four_cells");
+  EXPECT_EQ(cells.at("noisy_raw").at("segcomp").at("correct"), 1);
+  EXPECT_EQ(cells.at("noisy_merged").at("segcomp").at("correct"), 2);
+  EXPECT_EQ(cells.at("corrected_raw").at("segcomp").at("correct"), 3);
+  const json result = cells.at("corrected_merged");
+  EXPECT_EQ(result.at("segcomp").at("correct"), 4);
+  EXPECT_EQ(result.at("segcomp").at("over"), 11);
+  EXPECT_EQ(result.at("segcomp").at("under"), 12);
+  EXPECT_EQ(result.at("segcomp").at("missed"), 3);
+  EXPECT_EQ(result.at("segcomp").at("noise"), 1);
+  EXPECT_EQ(result.at("point_duplicates"), 13);
+  EXPECT_EQ(result.at("segcomp_all").at("correct"), 8);
+  EXPECT_EQ(result.at("evops").at("f1"), 0.682);
+}
+
+TEST(RunLine, IsTheSummaryWithoutTimes) {
+  Summary slow = sample(), fast = sample();
+  fast.us_per_line = fast.correction_ms = fast.real_time_factor = 1.0;
+  const std::string line = run_line(slow, "abc");
+  EXPECT_EQ(line, run_line(fast, "abc"));
+  EXPECT_EQ(line.find('\n'), line.size() - 1);
+  json whole = json::parse(summary_to_json(slow)), part = json::parse(line);
+  EXPECT_EQ(part.at("inputs"), "abc");
+  for (const char* key : {"us_per_line", "correction_ms", "real_time_factor"}) {
+    EXPECT_NE(timing_line(slow).find(key), std::string::npos);
+    whole.erase(key);
+  }
+  part.erase("inputs");
+  EXPECT_EQ(whole, part);
+}
+
 TEST(SummaryJson, WithoutAMatchErrorsAreNullNotZero) {
   const json j = json::parse(summary_to_json(Summary()));
   EXPECT_TRUE(j.at("angle_error_deg_mean").is_null());
@@ -122,6 +173,17 @@ TEST(SummaryTable, HasARowPerCellAndTheTruth) {
   EXPECT_THAT(words_of(row_of(table, "corrected, merged and filtered")),
               testing::ElementsAre("24", "21", "1", "2", "5", "0.913", "99.0", "0.25", "7.5"));
   EXPECT_THAT(words_of(row_of(table, "truth"))[0], "22");
+}
+
+TEST(SummaryTable, PointsHaveATableOfTheirOwn) {
+  Summary s = sample();
+  EXPECT_EQ(row_of(summary_table(s), "by points"), "");
+  s.points = {points_with(1), points_with(2), points_with(3), points_with(4)};
+  const std::string table = summary_table(s);
+  const std::string points = table.substr(table.find("by points"));
+  EXPECT_THAT(words_of(row_of(points, "noisy, as built"))[0], "1");
+  EXPECT_THAT(words_of(row_of(points, "corrected, merged and filtered")),
+              testing::ElementsAre("4", "11", "12", "3", "1", "0.682", "50.0", "75.0", "13"));
 }
 
 TEST(SummaryTable, ColumnsStandUnderTheirHeads) {

@@ -11,62 +11,54 @@
 namespace ribbon_mapper::eval {
 namespace {
 
-using testing::SizeIs;
-
-Summary summary_of(std::uint64_t seed) {
-  Summary summary;
-  summary.seed = seed;
-  return summary;
+std::vector<RunOptions> runs_of(const std::vector<std::uint64_t>& seeds) {
+  std::vector<RunOptions> runs;
+  for (const std::uint64_t seed : seeds) runs.emplace_back().seed = seed;
+  return runs;
 }
 
-/// run_seeds() without its output.
-std::vector<Summary> quietly(const std::vector<std::uint64_t>& seeds, std::size_t jobs,
-                             const SeedRun& run) {
-  testing::internal::CaptureStdout();
-  testing::internal::CaptureStderr();
-  const auto restore = [] {
+class Sweep : public testing::TestWithParam<std::size_t> {
+ protected:
+  void SetUp() override {
+    testing::internal::CaptureStdout();
+    testing::internal::CaptureStderr();
+  }
+  void TearDown() override {
     testing::internal::GetCapturedStdout();
     testing::internal::GetCapturedStderr();
-  };
-  try {
-    ProgressBar bar;
-    const auto summaries = run_seeds(seeds, jobs, run, bar);
-    restore();
-    return summaries;
-  } catch (...) {
-    restore();
-    throw;
   }
-}
+};
 
-class Sweep : public testing::TestWithParam<std::size_t> {};
-
-TEST_P(Sweep, EverySeedRunsOnceAndKeepsItsPlace) {
+TEST_P(Sweep, EveryRunIsMadeOnceAndPrinted) {
   std::mutex mutex;
   std::vector<std::uint64_t> begun;
   const std::vector<std::uint64_t> seeds{9, 3, 7, 1, 5};
-  const auto summaries = quietly(seeds, GetParam(), [&](std::uint64_t seed, const auto& progress) {
-    progress({1, 1, 0, 0.0, 0.0});
-    const std::lock_guard<std::mutex> lock(mutex);
-    begun.push_back(seed);
-    return summary_of(seed);
-  });
+  {
+    ProgressBar bar;
+    make_runs(runs_of(seeds), GetParam(), [&](const RunOptions& run, const auto& progress) {
+      progress({1, 1, 0, 0.0, 0.0});
+      const std::lock_guard<std::mutex> lock(mutex);
+      begun.push_back(run.seed);
+      return "done " + std::to_string(run.seed) + "\n";
+    }, bar);
+  }
   EXPECT_THAT(begun, testing::UnorderedElementsAreArray(seeds));
-  ASSERT_THAT(summaries, SizeIs(seeds.size()));
-  for (std::size_t i = 0; i < seeds.size(); ++i) EXPECT_EQ(summaries[i].seed, seeds[i]);
+  const std::string printed = testing::internal::GetCapturedStdout();
+  testing::internal::CaptureStdout();
+  for (const std::uint64_t seed : seeds) {
+    EXPECT_THAT(printed, testing::HasSubstr("done " + std::to_string(seed) + "\n"));
+  }
 }
 
-TEST_P(Sweep, AFailureIsReportedAndNoFurtherSeedBegins) {
+TEST_P(Sweep, AFailureIsReportedAndNoFurtherRunBegins) {
   std::atomic<int> begun{0};
-  const auto run = [&](std::uint64_t, const auto&) -> Summary {
+  const auto run = [&](const RunOptions&, const auto&) -> std::string {
     ++begun;
     throw std::runtime_error("no such world");
   };
-  EXPECT_THAT(
-      [&] {
-        quietly({1, 2, 3, 4, 5, 6, 7, 8}, GetParam(), run);
-      },
-      testing::ThrowsMessage<std::runtime_error>("no such world"));
+  ProgressBar bar;
+  EXPECT_THAT([&] { make_runs(runs_of({1, 2, 3, 4, 5, 6, 7, 8}), GetParam(), run, bar); },
+              testing::ThrowsMessage<std::runtime_error>("no such world"));
   EXPECT_LE(begun, static_cast<int>(GetParam()));
 }
 

@@ -1,0 +1,220 @@
+// SPDX-FileCopyrightText: 2026 ribbon_mapper authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include <algorithm>
+#include <cstdio>
+#include <stdexcept>
+
+#include "bench/child.hpp"
+#include "bench/correction/octomap_rebuild.hpp"
+#include "bench/correction/ribbon_floor.hpp"
+#include "bench/lines/line_times.hpp"
+#include "bench/planes/judge.hpp"
+#include "bench/planes/planes_peer.hpp"
+#include "bench/sections.hpp"
+#include "bench/stopwatch.hpp"
+
+namespace ribbon_mapper::bench {
+namespace {
+
+const std::string kSection = "after a loop closure: from true poses to a map";
+
+nlohmann::json judged(const std::vector<Plane>& planes, const Recording& tour) {
+  return to_json(eval::compare_maps(eval::patches_of(planes), tour.truth));
+}
+
+/// A model of the whole tour with believed poses takes over the true ones.
+nlohmann::json our_correction(const Inputs& inputs) {
+  Modeler modeler(inputs.config);
+  feed(inputs.tour, modeler);
+  const auto truth = true_trajectory(inputs.tour);
+  std::vector<Plane> planes;
+  const double correct_s = seconds_of([&] { modeler.correct(truth); });
+  const double planes_s = seconds_of([&] { planes = modeler.merged_planes(); });
+  return {{"correct_s", correct_s},
+          {"planes_s", planes_s},
+          {"seconds", correct_s + planes_s},
+          {"ribbons", modeler.statistics().ribbons},
+          {"metrics", judged(planes, inputs.tour)}};
+}
+
+/// The same planes from the raw lines: the gates are those of corrected poses from the start.
+nlohmann::json our_rebuild(const Inputs& inputs) {
+  ModelerConfig config = inputs.config;
+  config.map.slam = config.map.corrected;
+  std::vector<LinePoses> poses;
+  for (const RecordedLine& line : inputs.tour.lines) poses.push_back(with_true_pose(line));
+  std::vector<Plane> planes;
+  const double seconds = seconds_of([&] {
+    Modeler modeler(config);
+    for (std::size_t i = 0; i < poses.size(); ++i) {
+      modeler.add_scan_line(inputs.tour.lines[i].beams, poses[i]);
+    }
+    planes = modeler.merged_planes();
+  });
+  return {{"seconds", seconds}, {"metrics", judged(planes, inputs.tour)}};
+}
+
+nlohmann::json octomap(const Inputs& inputs, Insertion insertion) {
+  const OctomapResult result = rebuild_octomap(inputs.tour, inputs.config.scan, insertion);
+  return {
+      {"seconds", result.seconds}, {"tree_bytes", result.tree_bytes}, {"leaves", result.leaves}};
+}
+
+/// A peer over all points at their true poses; placing them is part of it.
+nlohmann::json on_voxels(const Inputs& inputs, const PlanesPeer& peer) {
+  TourCloud cloud;
+  std::vector<Points> planes;
+  const double seconds = seconds_of([&] {
+    cloud = cloud_of(inputs.tour, inputs.config.scan, Poses::true_ones);
+    planes = peer.planes_of(voxel_grid(cloud.points, 0.04F));
+  });
+  const auto patches = patches_of(planes, ViewField(cloud), inputs.config.map.least_area_m2);
+  return {{"seconds", seconds},
+          {"metrics", to_json(eval::compare_maps(patches, inputs.tour.truth))}};
+}
+
+/// Median of some runs in processes of their own; nothing if one did not finish.
+std::optional<ChildResult> median_run(const std::function<nlohmann::json()>& work, int repetitions,
+                                      double limit_s) {
+  std::vector<ChildResult> runs;
+  for (int i = 0; i < repetitions; ++i) {
+    const auto run = run_in_child(work, limit_s);
+    if (!run) return std::nullopt;
+    runs.push_back(*run);
+  }
+  std::sort(runs.begin(), runs.end(), [](const ChildResult& a, const ChildResult& b) {
+    return a.value["seconds"].get<double>() < b.value["seconds"].get<double>();
+  });
+  return runs[runs.size() / 2];
+}
+
+class Section {
+ public:
+  Section(const Inputs& inputs, Report& report) : inputs_(inputs), report_(report) {}
+
+  /// Adds a row, returns its seconds: the limit's if it did not finish.
+  double add(const std::string& name, const std::function<nlohmann::json()>& work,
+             int repetitions = 1) {
+    const double limit_s = inputs_.options.limit_s;
+    const auto run = median_run(work, repetitions, limit_s);
+    if (!run) {
+      report_.add({kSection, name, {}, {}, limit_s / ours_s, {}, "stopped at the limit", {}});
+      return limit_s;
+    }
+    last = run->value;
+    const double seconds = last["seconds"];
+    if (ours_s == 0.0) ours_s = seconds;
+    report_.add({kSection,
+                 name,
+                 seconds,
+                 {},
+                 seconds / ours_s,
+                 run->peak_mb,
+                 last.contains("metrics") ? text_of(last["metrics"]) : "",
+                 last});
+    return seconds;
+  }
+
+  double ours_s = 0.0;
+  nlohmann::json last;
+
+ private:
+  const Inputs& inputs_;
+  Report& report_;
+};
+
+/// Seconds of the floor; it must have met the very ribbons that the model has.
+double floor_s(const Inputs& inputs, std::size_t ribbons, Report& report) {
+  RibbonFloor floor(inputs.tour, inputs.config);
+  if (floor.ribbons() != ribbons) {
+    throw std::runtime_error("the floor has " + std::to_string(floor.ribbons()) +
+                             " ribbons, the model " + std::to_string(ribbons) +
+                             ": bench/correction/ribbon_floor.cpp must feed lines as Modeler does");
+  }
+  std::vector<Pose> poses;
+  for (const RecordedLine& line : inputs.tour.lines) poses.push_back(line.T_map_base_true);
+  std::vector<double> seconds;
+  for (int i = 0; i < 21; ++i) seconds.push_back(seconds_of([&] { floor.move(poses); }));
+  char text[96];
+  std::snprintf(text, sizeof text, "%zu ribbons, %zu samples", floor.ribbons(), floor.samples());
+  report.add({kSection,
+              "the floor: every ribbon's moments and samples moved once",
+              median(seconds),
+              {},
+              {},
+              {},
+              text,
+              {}});
+  return median(seconds);
+}
+
+}  // namespace
+
+void measure_corrections(const Inputs& inputs, Report& report) {
+  Section section(inputs, report);
+  const int repetitions = inputs.options.repetitions;
+  const double ours_s = section.add(
+      "ours: correct() and merged_planes(), cells included", [&] { return our_correction(inputs); },
+      repetitions);
+  const std::size_t ribbons = section.last["ribbons"];
+  report.set("correction_s", ours_s);
+  report.set("correction_correct_s", section.last["correct_s"]);
+  report.set("correction_planes_s", section.last["planes_s"]);
+  report.set("correction_over_floor", ours_s / floor_s(inputs, ribbons, report));
+  report.set("correction_vs_rebuild",
+             section.add(
+                 "ours, rebuilt from raw lines", [&] { return our_rebuild(inputs); },
+                 std::min(3, repetitions)) /
+                 ours_s);
+  const double fast_s = section.add("OctoMap 5 cm, insertPointCloud, lazy and discretised",
+                                    [&] { return octomap(inputs, Insertion::fast); });
+  report.set("correction_vs_octomap_fast", fast_s / ours_s);
+  if (!inputs.options.quick) {
+    const double octomap_s = section.add("OctoMap 5 cm, insertPointCloud",
+                                         [&] { return octomap(inputs, Insertion::as_documented); });
+    report.set("correction_vs_octomap", octomap_s / ours_s);
+  }
+  for (const PlanesPeer& peer :
+       {pcl_region_growing(Density::voxels), cgal_region_growing(Density::voxels),
+        cgal_efficient_ransac(Density::voxels)}) {
+    section.add(peer.name + ", 4 cm voxels", [&] { return on_voxels(inputs, peer); });
+  }
+}
+
+void measure_memory(const Inputs& inputs, Report& report) {
+  const std::string section = "memory of the model of the tour";
+  const double area_m2 = [&] {
+    double sum = 0.0;
+    for (const eval::Patch& patch : inputs.tour.truth) sum += patch.area_m2;
+    return sum;
+  }();
+  const auto add = [&](const std::string& name, double bytes, const std::string& text) {
+    char details[160];
+    std::snprintf(details, sizeof details, "%.2f MB, %.0f bytes per m2 of true planes%s",
+                  1e-6 * bytes, bytes / area_m2, text.c_str());
+    report.add({section, name, {}, {}, {}, 1e-6 * bytes, details, {{"bytes", bytes}}});
+  };
+  const auto ours = run_in_child(
+      [&]() -> nlohmann::json {
+        Modeler modeler(inputs.config);
+        feed(inputs.tour, modeler);
+        return {{"bytes", modeler.memory_bytes()}, {"resident_mb", resident_mb()}};
+      },
+      inputs.options.limit_s);
+  const double bytes = ours->value["bytes"];
+  add("ours: Modeler::memory_bytes()", bytes,
+      "; process grew by " + std::to_string(static_cast<int>(ours->peak_mb)) + " MB at most");
+  const auto tree =
+      run_in_child([&] { return octomap(inputs, Insertion::fast); }, inputs.options.limit_s);
+  const double raw_bytes = 4.0 * static_cast<double>(inputs.tour.beam_count());
+  if (tree) {
+    const double tree_bytes = tree->value["tree_bytes"];
+    add("OctoMap 5 cm: OcTree::memoryUsage()", tree_bytes, "");
+    report.set("memory_vs_octomap", bytes / tree_bytes);
+  }
+  add("raw ranges, 4 bytes a beam", raw_bytes, "");
+  report.set("memory_vs_raw", bytes / raw_bytes);
+  report.set("memory_bytes_per_m2", bytes / area_m2);
+}
+
+}  // namespace ribbon_mapper::bench

@@ -1,0 +1,108 @@
+// SPDX-FileCopyrightText: 2026 ribbon_mapper authors
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// Allocations per scan line once a robot has seen all that there is to see from where it stands.
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <atomic>
+#include <cstdio>
+#include <cstdlib>
+#include <new>
+
+#include "eval/share.hpp"
+#include "modeler/modeler.hpp"
+#include "sim/hokuyo.hpp"
+#include "sim/pr2.hpp"
+#include "sim/tilt_profile.hpp"
+#include "sim/world.hpp"
+
+namespace {
+std::atomic<std::size_t> allocations{0};
+
+void* counted(std::size_t size, std::size_t alignment) {
+  ++allocations;
+  // A size that is a multiple of the alignment, as aligned_alloc() demands.
+  void* memory = std::aligned_alloc(alignment, (size + alignment - 1) / alignment * alignment);
+  if (memory == nullptr) throw std::bad_alloc();
+  return memory;
+}
+}  // namespace
+
+// NOLINTBEGIN: the replaceable functions of the language; their array forms call these.
+void* operator new(std::size_t size) { return counted(size, alignof(std::max_align_t)); }
+void* operator new(std::size_t size, std::align_val_t alignment) {
+  return counted(size, static_cast<std::size_t>(alignment));
+}
+void operator delete(void* memory) noexcept { std::free(memory); }
+void operator delete(void* memory, std::size_t) noexcept { std::free(memory); }
+void operator delete(void* memory, std::align_val_t) noexcept { std::free(memory); }
+void operator delete(void* memory, std::size_t, std::align_val_t) noexcept { std::free(memory); }
+// NOLINTEND
+
+namespace ribbon_mapper {
+namespace {
+
+constexpr int kLinesPerPeriod = 120;
+constexpr int kPeriods = 12;  // the first half of them to get used to the place
+
+struct Line {
+  LaserBeams beams;
+  LinePoses poses;
+};
+
+/// Lines of a robot that stands in the living room of the flat and nods with its laser.
+std::vector<Line> standing_lines() {
+  const auto world = sim::World::load(eval::find_shared("worlds/apartment.sdf").string());
+  const Pose T_map_base = planar_pose(-2.1, 1.0, 0.4);
+  const sim::TiltProfile tilt{sim::TiltProfileConfig{}};
+  const auto T_base_laser = [&](Time time) { return sim::pr2::T_base_laser(tilt.angle_rad(time)); };
+  sim::Hokuyo hokuyo(sim::HokuyoConfig{}, 1);
+  std::vector<Line> lines;
+  for (int i = 0; i < kPeriods * kLinesPerPeriod; ++i) {
+    const sim::Scan scan = hokuyo.scan(world, i * hokuyo.period(),
+                                       [&](Time time) { return T_map_base * T_base_laser(time); });
+    Line& line = lines.emplace_back();
+    line.beams = {scan.stamp,
+                  scan.angle_min_rad,
+                  scan.angle_increment_rad,
+                  scan.time_increment_s,
+                  scan.range_min_m,
+                  scan.range_max_m,
+                  scan.ranges_m};
+    line.poses.T_odom_base_first = line.poses.T_odom_base_last = T_map_base;
+    line.poses.T_map_base = T_map_base;
+    line.poses.T_base_laser_first = T_base_laser(line.beams.stamp);
+    line.poses.T_base_laser_last = T_base_laser(end_of(line.beams));
+  }
+  return lines;
+}
+
+// The model itself grows: its storage may be enlarged now and then, in pieces or by doubling, so a
+// few lines of many may allocate. The others must not.
+TEST(Allocations, StopOnceTheRobotKnowsThePlace) {
+  const std::vector<Line> lines = standing_lines();
+  Modeler modeler(ModelerConfig{});
+  std::vector<std::size_t> counts;
+  for (std::size_t i = 0; i < lines.size(); ++i) {
+    const std::size_t before = allocations;
+    modeler.add_scan_line(lines[i].beams, lines[i].poses);
+    if (i >= lines.size() / 2) counts.push_back(allocations - before);
+  }
+  ASSERT_GT(modeler.statistics().ribbons, 1000u);
+  std::size_t sum = 0;
+  for (const std::size_t count : counts) sum += count;
+  const auto allocating =
+      std::count_if(counts.begin(), counts.end(), [](std::size_t count) { return count > 0; });
+  std::sort(counts.begin(), counts.end());
+  const double mean = static_cast<double>(sum) / static_cast<double>(counts.size());
+  std::printf("allocations per line: mean %.2f, median %zu, most %zu; %zd of %zu lines allocate\n",
+              mean, counts[counts.size() / 2], counts.back(), static_cast<ssize_t>(allocating),
+              counts.size());
+  EXPECT_LT(static_cast<double>(allocating), 0.05 * static_cast<double>(counts.size()));
+  EXPECT_LT(mean, 0.1);
+}
+
+}  // namespace
+}  // namespace ribbon_mapper

@@ -1,0 +1,32 @@
+// SPDX-FileCopyrightText: 2026 ribbon_mapper authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include <sys/prctl.h>
+
+#include "bench/lines/line_times.hpp"
+#include "bench/sections.hpp"
+#include "bench/stopwatch.hpp"
+
+namespace ribbon_mapper::bench {
+namespace {
+
+/// The profiler tells the stages by the name of the thread.
+void enter(const char* stage) { prctl(PR_SET_NAME, stage); }
+
+}  // namespace
+
+/// Work for a profiler (bench/figures/profile.py), nothing to report.
+void run_for_profile(const Inputs& inputs, Report& /*report*/) {
+  const auto truth = true_trajectory(inputs.tour);
+  for (int i = 0; i < inputs.options.repetitions; ++i) {
+    Modeler modeler(inputs.config);
+    enter("lines");
+    feed(inputs.tour, modeler);
+    enter("correct");
+    modeler.correct(truth);
+    enter("planes");
+    keep(modeler.merged_planes());
+    enter("bench");
+  }
+}
+
+}  // namespace ribbon_mapper::bench

@@ -1,0 +1,99 @@
+// SPDX-FileCopyrightText: 2026 ribbon_mapper authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "bench/recording/tour_recording.hpp"
+
+#include <cmath>
+#include <cstdio>
+#include <fstream>
+#include <functional>
+#include <sstream>
+
+#include "bench/recording/recording_file.hpp"
+#include "eval/share.hpp"
+#include "sim/truth.hpp"
+
+namespace ribbon_mapper::bench {
+namespace {
+
+LaserBeams beams_of(const sim::Scan& scan) {
+  return {scan.stamp,
+          scan.angle_min_rad,
+          scan.angle_increment_rad,
+          scan.time_increment_s,
+          scan.range_min_m,
+          scan.range_max_m,
+          scan.ranges_m};
+}
+
+RecordedLine recorded(const sim::Scan& scan, const sim::Tour& tour) {
+  RecordedLine line;
+  line.beams = beams_of(scan);
+  const Time first = line.beams.stamp, last = end_of(line.beams), middle = middle_of(line.beams);
+  line.poses = {tour.T_odom_base(first), tour.T_odom_base(last), tour.T_base_laser(first),
+                tour.T_base_laser(last), tour.noisy_T_map_base(middle)};
+  line.T_map_base_true = tour.true_T_map_base(middle);
+  line.T_map_odom_true = line.T_map_base_true * tour.T_odom_base(middle).inverse(Eigen::Isometry);
+  line.faces.assign(scan.faces.begin(), scan.faces.end());
+  return line;
+}
+
+Recording driven(const TourSource& source) {
+  const sim::World world = sim::World::load(source.world.string());
+  sim::Tour tour(world, sim::Route::load(source.route.string()), source.config);
+  sim::TruthCollector truth(world);
+  Recording recording;
+  recording.name = source.name;
+  recording.duration_s = to_seconds(tour.duration());
+  while (const auto scan = tour.next_scan()) {
+    recording.lines.push_back(recorded(*scan, tour));
+    truth.add(*scan);
+  }
+  for (const sim::Face& face : world.faces()) {
+    recording.face_normals.push_back(face.planar ? face.normal : Eigen::Vector3d::Zero().eval());
+  }
+  for (const sim::TruthPlane& plane : truth.planes()) {
+    recording.truth.push_back({plane.normal, plane.d_m, plane.area_m2, plane.cells});
+  }
+  return recording;
+}
+
+std::string text_of(const std::filesystem::path& file) {
+  std::ostringstream text;
+  text << std::ifstream(file).rdbuf();
+  return text.str();
+}
+
+}  // namespace
+
+TourSource apartment_tour() {
+  TourSource source;
+  source.name = "apartment";
+  source.world = eval::find_shared("worlds/apartment.sdf");
+  source.route = eval::find_shared("worlds/apartment.route.yaml");
+  source.config.localisation.drift = 3.0;  // that of the experiment
+  return source;
+}
+
+TourSource apartment_tour(int beams) {
+  TourSource source = apartment_tour();
+  source.name += "_" + std::to_string(beams);
+  const double half_rad = 0.5 * (beams - 1) * source.config.hokuyo.angle_increment_rad;
+  source.config.hokuyo.angle_min_rad = -half_rad;
+  source.config.hokuyo.angle_max_rad = half_rad;
+  return source;
+}
+
+Recording recording_of(const TourSource& source, const std::filesystem::path& cache) {
+  const std::size_t hash = std::hash<std::string>()(text_of(source.world) + text_of(source.route));
+  char suffix[32];
+  std::snprintf(suffix, sizeof suffix, ".%016zx.tour", hash);
+  const auto file = cache / (source.name + suffix);
+  if (auto recording = read_recording(file)) return *std::move(recording);
+  std::printf("driving the tour %s, kept in %s\n", source.name.c_str(), file.c_str());
+  std::fflush(stdout);
+  Recording recording = driven(source);
+  write_recording(recording, file);
+  return recording;
+}
+
+}  // namespace ribbon_mapper::bench

@@ -1,0 +1,39 @@
+// SPDX-FileCopyrightText: 2026 ribbon_mapper authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "bench/recording/recording.hpp"
+#include "modeler/modeler.hpp"
+
+namespace ribbon_mapper::bench {
+
+/// A large world made of one tour: it is driven again and again, each time in another place of a
+/// square lattice and later in time.
+class Tiles {
+ public:
+  /// The recording must outlive the tiles.
+  Tiles(const Recording& piece, double spacing_m, std::size_t side);
+
+  /// Feeds tile `k` with the poses that the robot believed; the mean CPU time of its lines [s].
+  double feed(std::size_t k, Modeler& modeler) const;
+
+  /// Where the lines of the first `count` tiles really were.
+  std::vector<StampedPose> truth(std::size_t count) const;
+
+ private:
+  Pose T_map_tile(std::size_t k) const;
+  Time start_of(std::size_t k) const;
+
+  const Recording& piece_;
+  double spacing_m_;
+  std::size_t side_;
+};
+
+/// The last `share` of a trajectory bent away, up to a few centimetres and half a degree: each of
+/// its poses by another amount.
+std::vector<StampedPose> bent(std::vector<StampedPose> trajectory, double share);
+
+/// Slope of log(y) over log(x): how y grows with x.
+double fitted_exponent(const std::vector<double>& x, const std::vector<double>& y);
+
+}  // namespace ribbon_mapper::bench

@@ -1,0 +1,105 @@
+# SPDX-FileCopyrightText: 2026 ribbon_mapper authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""Dose and response: how many planes a model has, and how right they are, against the drift of the
+localisation. Medians over the seeds, with bands from the lower to the upper quartile.
+
+Usage: python3 dose_response.py DIRECTORY
+
+Reads summary.json of a sweep over drifts from DIRECTORY, as the experiment writes it, and writes
+dose_response.svg and dose_response.png there. Of a sweep over more than drifts, it shows the runs
+whose other conditions are those of the first group.
+"""
+
+import json
+import pathlib
+import sys
+
+from figure_files import matplotlib, save_both
+
+import matplotlib.pyplot as plt  # noqa: E402 (needs the backend)
+
+CONDITIONS = ("world", "route", "config", "noise", "tilt", "beams", "speed_m_s", "deskew")
+CELLS = {  # name: label, style
+    "noisy_raw": ("noisy, as built", {"color": "tab:red", "marker": "o"}),
+    "noisy_merged": ("noisy, merged (control)", {"color": "tab:orange", "marker": "s"}),
+    "corrected_raw": ("corrected, as built", {"color": "tab:blue", "marker": "^"}),
+    "corrected_merged": ("corrected, merged", {"color": "tab:green", "marker": "D"}),
+}
+PANELS = (  # key within a cell, title, axis
+    ("planes", "Number of planes", "planes"),
+    ("f1", "Agreement of the planes with the truth", "F1 of the planes"),
+    ("segcomp.correct_points_share", "Points in correct planes (SegComp, 80 %)",
+     "share of all points"),
+)
+
+
+def groups_of(summary):
+    """One group for each drift, in their order."""
+    first = summary["groups"][0]
+    same = [g for g in summary["groups"] if all(g[c] == first[c] for c in CONDITIONS)]
+    return sorted(same, key=lambda group: group["drift"])
+
+
+def draw_cell(axes, groups, cell, key):
+    label, style = CELLS[cell]
+    spreads = [group["spread"][f"four_cells.{cell}.{key}"] for group in groups]
+    drifts = [group["drift"] for group in groups]
+    axes.fill_between(drifts, [s["lower_quartile"] for s in spreads],
+                      [s["upper_quartile"] for s in spreads], color=style["color"], alpha=0.2,
+                      linewidth=0)
+    axes.plot(drifts, [s["median"] for s in spreads], label=label, markersize=4, linewidth=1.2,
+              **style)
+
+
+def median_of(group, key):
+    return group["spread"][key]["median"]
+
+
+def draw_end_errors(axes, groups):
+    """What a drift means: how far off the robot believed to be at the end."""
+    top = axes.secondary_xaxis("top")
+    top.set_xticks([g["drift"] for g in groups],
+                   [f"{median_of(g, 'end_drift_m'):.1f} m\n{median_of(g, 'end_drift_deg'):.0f}°"
+                    for g in groups])
+    top.tick_params(labelsize=6.5, length=2, pad=1)
+
+
+def draw(directory):
+    summary = json.loads((directory / "summary.json").read_text(encoding="utf-8"))
+    groups = groups_of(summary)
+    figure, panels = plt.subplots(1, len(PANELS), figsize=(9.6, 3.6))
+    for axes, (key, title, name) in zip(panels, PANELS):
+        for cell in CELLS:
+            draw_cell(axes, groups, cell, key)
+        axes.set_xlabel("drift (1: gmapping's noise on the PR2)")
+        axes.set_xticks([group["drift"] for group in groups])
+        axes.set_ylabel(name)
+        axes.set_title(title, fontsize=8.5, fontweight="bold", pad=26)
+        axes.set_ylim(bottom=0)
+        axes.grid(linewidth=0.3)
+        axes.spines["right"].set_visible(False)
+        draw_end_errors(axes, groups)
+    panels[0].axhline(median_of(groups[0], "truth_planes"), color="black", linewidth=0.9,
+                      linestyle=(0, (4, 3)), label="truth")
+    handles, labels = panels[0].get_legend_handles_labels()
+    figure.legend(handles, labels, loc="lower center", ncol=5, frameon=False)
+    runs = sorted({group["runs"] for group in groups})
+    figure.text(0.005, 0.985, f"{groups[0]['world']}, {'/'.join(map(str, runs))} seeds per drift; "
+                "medians, bands from the lower to the upper quartile; above: median error of the "
+                "last pose", fontsize=7.5, va="top")
+    figure.tight_layout(rect=(0, 0.07, 1, 0.96))
+    return figure
+
+
+def main():
+    if len(sys.argv) != 2:
+        sys.exit("usage: dose_response.py DIRECTORY")
+    directory = pathlib.Path(sys.argv[1])
+    try:
+        save_both(draw(directory), directory / "dose_response")
+    except (OSError, ValueError, KeyError, IndexError) as error:
+        sys.exit(f"dose_response.py: {error!r}")
+
+
+if __name__ == "__main__":
+    main()

@@ -1,0 +1,108 @@
+# SPDX-FileCopyrightText: 2026 ribbon_mapper authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""The rooms of the house, and what each may include: the one place where this is written."""
+import collections
+import pathlib
+import re
+
+# Of ours: folders (without those below them, or with them if they end in /) or single files.
+# Libraries: the first folder of an #include <folder/file>. ANY: all libraries, ROS among them.
+Room = collections.namedtuple("Room", "ours libraries")
+ANY = None
+
+_CORE = ["modeler/geometry", "modeler/scan", "modeler/ribbon", "modeler/map"]
+_MODELER = _CORE + ["modeler"]
+
+ROOMS = {
+    "modeler/geometry": Room([], ["Eigen"]),
+    "modeler/scan": Room(_CORE[:1], ["Eigen"]),
+    "modeler/ribbon": Room(_CORE[:2], ["Eigen"]),
+    "modeler/map": Room(_CORE[:3], ["Eigen"]),
+    "modeler": Room(_CORE, ["Eigen"]),
+    "modeler/io": Room(_MODELER, ["Eigen", "nlohmann", "octomap", "sys", "yaml-cpp"]),
+    "modeler/ros": Room(_MODELER + ["modeler/io"], ANY),
+    "modeler/bag": Room(_MODELER + ["modeler/io", "modeler/ros"], ANY),
+    "sim": Room(["modeler/geometry/time.hpp", "modeler/geometry/pose.hpp"],
+                ["Eigen", "BulletCollision", "assimp", "sdf", "yaml-cpp"]),
+    # How messages and parameters are read, and how files are written, is one thing for all nodes.
+    "sim/ros": Room(["sim", "modeler/geometry/time.hpp", "modeler/geometry/pose.hpp",
+                     "modeler/ros/message_conversions.hpp", "modeler/ros/strict_parameters.hpp",
+                     "modeler/io/atomic_file.hpp", "modeler/io/tum.hpp"], ANY),
+    "eval": Room(_MODELER + ["modeler/io", "sim"], ["Eigen", "CLI", "nlohmann", "sys"]),
+    "eval/ros": Room(_MODELER + ["modeler/io", "modeler/ros", "modeler/bag", "sim", "eval"], ANY),
+    "bench/": Room(_MODELER + ["modeler/io", "sim", "eval", "bench/"], ANY),
+}
+
+MOST_LINES_OF_A_FILE = 300
+MOST_LINES_OF_A_FUNCTION = 40
+SOURCES = {".hpp", ".cpp", ".py"}
+
+
+def wrong_includes(root):
+    """One message for each include that ROOMS does not allow, below the folder `root`."""
+    messages = []
+    for top in sorted({room.split("/")[0] for room in ROOMS}):
+        for path in sorted((root / top).rglob("*")):
+            if path.suffix in {".hpp", ".cpp"}:
+                messages += _wrong_includes_of(path, path.relative_to(root))
+    return messages
+
+
+def _holds(room, folder):
+    return folder == room or (room.endswith("/") and f"{folder}/".startswith(room))
+
+
+def _wrong_includes_of(path, name):
+    folder = name.parent.as_posix()
+    room = next((row for room, row in ROOMS.items() if _holds(room, folder)), None)
+    if room is None:
+        table = pathlib.Path(__file__).name
+        return [f"{name}: {folder} is no room, add it to the table in {table}"]
+    messages = []
+    for bracket, target in re.findall(r'^\s*#\s*include\s*([<"])([^>"]+)', path.read_text(), re.M):
+        if bracket == '"':
+            source = str(pathlib.PurePosixPath(target).parent)
+            allowed = any(target == ours or _holds(ours, source) for ours in [folder] + room.ours)
+        else:
+            allowed = "/" not in target or room.libraries is ANY or (
+                target.split("/")[0] in room.libraries)
+        if not allowed:
+            messages.append(f"{name} may not include {target}")
+    return messages
+
+
+def wrong_files(root):
+    """One message for each source that is too long, lacks its two SPDX lines, or is in a utils."""
+    messages = []
+    for top in ["bench", "eval", "modeler", "sim", "test"]:
+        for path in sorted((root / top).rglob("*")):
+            name = path.relative_to(root)
+            if path.is_dir() and re.fullmatch(r"utils?|common|helpers?|misc", path.name):
+                messages.append(f"{name}: a folder's name says what lives there")
+            if path.suffix in SOURCES:
+                messages += _wrong_text(path.read_text().splitlines(), name)
+    return messages
+
+
+def _wrong_text(lines, name):
+    messages = []
+    if len(lines) > MOST_LINES_OF_A_FILE:
+        messages.append(f"{name} has {len(lines)} lines, more than {MOST_LINES_OF_A_FILE}")
+    head = [line for line in lines if not line.startswith("#!")][:2]
+    if ["SPDX" in line for line in head] != [True, True]:
+        messages.append(f"{name} does not begin with two SPDX lines")
+    if name.suffix == ".cpp":
+        messages += [f"{name}:{line}: a function of {length} lines"
+                     for line, length in _functions(lines) if length > MOST_LINES_OF_A_FUNCTION]
+    return messages
+
+
+def _functions(lines):
+    """First line and length of the functions at the left margin, as clang-format leaves them."""
+    begin = None
+    for number, line in enumerate(lines, 1):
+        if re.match(r"\w", line):
+            begin = None if re.match(r"(namespace|class|struct|enum)\b", line) else number
+        elif line == "}" and begin is not None:
+            yield begin, number - begin + 1
+            begin = None

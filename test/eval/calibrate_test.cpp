@@ -1,0 +1,104 @@
+// SPDX-FileCopyrightText: 2026 ribbon_mapper authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "eval/calibrate.hpp"
+
+#include <gmock/gmock.h>
+
+#include "modeler/io/calibrated_preset.hpp"
+#include "modeler/io/config_file.hpp"
+#include "test/io/temporary_directory.hpp"
+
+namespace ribbon_mapper::eval {
+namespace {
+
+using testing::HasSubstr;
+using testing::ThrowsMessage;
+
+RunOptions before_the_wall(double drift) {
+  RunOptions run;
+  run.route = "worlds/apartment_calibration.route.yaml";
+  run.drift = drift;
+  return run;
+}
+
+Calibration calibration_of(const RunOptions& run) {
+  return make_calibration(run, [](const Progress&) {});
+}
+
+/// The laser's sigma is 1 cm over the wall's 3.4 m; quantisation and incidence hardly change it.
+TEST(Calibrate, VSensorIsTheNoiseOfTheLaserWhateverTheDrift) {
+  const Calibration exact = calibration_of(before_the_wall(0.0));
+  const Calibration drifting = calibration_of(before_the_wall(2.0));
+  EXPECT_NEAR(exact.plane.d_m, 8.0, 0.01);
+  EXPECT_NEAR(std::sqrt(exact.stopped.distance_variance_m2), 0.009, 0.0015);
+  EXPECT_NEAR(exact.stopped.tolerance.distance_m, 0.027, 0.0045);
+  EXPECT_DOUBLE_EQ(exact.stopped.distance_variance_m2, drifting.stopped.distance_variance_m2);
+  EXPECT_NEAR(exact.travel_m, 3.2, 0.2);
+  EXPECT_NEAR(exact.turn_deg, 110.0, 5.0);
+}
+
+TEST(Calibrate, VSlamGrowsWithTheDrift) {
+  const Calibration exact = calibration_of(before_the_wall(0.0));
+  const Calibration drifting = calibration_of(before_the_wall(2.0));
+  EXPECT_NEAR(exact.moving.tolerance.distance_m, exact.stopped.tolerance.distance_m, 0.005);
+  EXPECT_GT(drifting.moving.distance_variance_m2, 4.0 * exact.moving.distance_variance_m2);
+  EXPECT_GT(drifting.moving.scalar_product_variance, exact.moving.scalar_product_variance);
+  EXPECT_GT(drifting.moving.tolerance.angle_deg, exact.moving.tolerance.angle_deg);
+}
+
+TEST(Calibrate, WithoutARestOrMotionItSaysWhatToDo) {
+  RunOptions run = before_the_wall(0.0);
+  run.route = "worlds/apartment.route.yaml";
+  EXPECT_THAT([&] { calibration_of(run); },
+              ThrowsMessage<std::runtime_error>(HasSubstr("let it stand")));
+  const Calibrator unmoved{ModelerConfig()};
+  EXPECT_THAT([&] { unmoved.result(); },
+              ThrowsMessage<std::runtime_error>(HasSubstr("drive it 3 to 5 m")));
+}
+
+Calibration learned() {
+  Calibration calibration;
+  calibration.stopped.tolerance = {0.7, 0.2};
+  calibration.moving.tolerance = {7.5, 0.193456};
+  return calibration;
+}
+
+TEST(CalibratedPreset, IsLoadedWithEveryKey) {
+  const TemporaryDirectory directory;
+  const auto path = directory.path() / "calibrated.yaml";
+  ModelerConfig config;
+  config.ribbon.least_points = 9;
+  config.scan.deskew = false;
+  write_content(path, calibrated_preset(config, learned(), "a bag\nwith: lines"));
+  const ModelerConfig loaded = load_config(path.string());
+  EXPECT_EQ(loaded.map.slam.angle_deg, 7.5);
+  EXPECT_EQ(loaded.map.slam.distance_m, 0.193);
+  EXPECT_EQ(loaded.map.corrected.distance_m, 0.2);
+  EXPECT_EQ(loaded.map.corrected.angle_deg, config.map.corrected.angle_deg) << "never narrower";
+  EXPECT_EQ(loaded.ribbon.least_points, 9);
+  EXPECT_FALSE(loaded.scan.deskew);
+}
+
+TEST(CalibratedPreset, StaysWithinTheAllowedRanges) {
+  Calibration wild = learned();
+  wild.moving.tolerance = {400.0, 1e-9};
+  const ModelerConfig config = with_tolerances(ModelerConfig(), wild);
+  EXPECT_NO_THROW(config.validate());
+  EXPECT_EQ(config.map.slam.angle_deg, 45.0);
+}
+
+TEST(ConfigToYaml, IsReadAsTheSameValues) {
+  const TemporaryDirectory directory;
+  const auto path = directory.path() / "all.yaml";
+  ModelerConfig config;
+  config.map.bridged_gap_m = 0.1 + 0.2;  // needs all digits
+  config.correction.poses_follow = !config.correction.poses_follow;
+  write_content(path, config_to_yaml(config));
+  const ModelerConfig loaded = load_config(path.string());
+  EXPECT_EQ(loaded.map.bridged_gap_m, config.map.bridged_gap_m);
+  EXPECT_EQ(config_to_yaml(loaded), config_to_yaml(config));
+  EXPECT_THAT(content_of(path), HasSubstr("\nmap:\n  slam:\n    angle_deg: 3.2\n"));
+}
+
+}  // namespace
+}  // namespace ribbon_mapper::eval

@@ -1,0 +1,58 @@
+// SPDX-FileCopyrightText: 2026 ribbon_mapper authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "eval/run.hpp"
+
+#include <gmock/gmock.h>
+
+#include "sim/hokuyo.hpp"
+
+namespace ribbon_mapper::eval {
+namespace {
+
+/// What the options mean to the simulator and to the modeler.
+TEST(Run, BeamsAreCountedAboutStraightAhead) {
+  for (const int count : {3, 380, 381, 720, 1040, 1080}) {
+    RunOptions run;
+    run.beams = count;
+    const sim::HokuyoConfig config = tour_config(run).hokuyo;
+    const sim::Hokuyo hokuyo(config, 1);
+    EXPECT_EQ(hokuyo.beam_count(), count);
+    EXPECT_NEAR(hokuyo.angle_min_rad(), -(count / 2) * config.angle_increment_rad, 1e-12);
+  }
+}
+
+TEST(Run, TheSpeedScalesTheRoute) {
+  RunOptions run;
+  run.world = "test/ros/room.sdf";
+  const sim::Route usual = load_route(run);
+  run.speed_m_s = 0.25;
+  const sim::Route slow = load_route(run);
+  EXPECT_EQ(usual.speed_m_s(), 0.5);
+  EXPECT_EQ(slow.speed_m_s(), 0.25);
+  EXPECT_EQ(slow.length_m(), usual.length_m());
+  EXPECT_GT(slow.duration(), usual.duration());
+  EXPECT_EQ(slow.velocity(from_seconds(3.0)).turn_rad_s, 0.0) << "the first leg is straight";
+}
+
+TEST(Run, DeskewIsAsThePresetUnlessItIsSaid) {
+  RunOptions run;
+  EXPECT_TRUE(modeler_config(run).scan.deskew);
+  run.deskew = false;
+  EXPECT_FALSE(modeler_config(run).scan.deskew);
+}
+
+TEST(Route, RestsBeforeItStarts) {
+  const std::vector<Eigen::Vector2d> way{{0.0, 0.0}, {1.0, 0.0}};
+  const sim::Route at_once(0.5, 1.0, way), later(0.5, 1.0, way, 4.0);
+  EXPECT_EQ(later.duration(), at_once.duration() + from_seconds(4.0));
+  for (const double time_s : {0.0, 2.0, 4.0}) {
+    EXPECT_EQ(later.T_map_base(from_seconds(time_s)).translation().x(), 0.0);
+    EXPECT_EQ(later.velocity(from_seconds(time_s)).forward_m_s, 0.0);
+  }
+  EXPECT_NEAR(later.T_map_base(from_seconds(5.5)).translation().x(),
+              at_once.T_map_base(from_seconds(1.5)).translation().x(), 1e-9);
+  EXPECT_THROW(sim::Route(0.5, 1.0, way, -1.0), std::invalid_argument);
+}
+
+}  // namespace
+}  // namespace ribbon_mapper::eval

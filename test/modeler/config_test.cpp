@@ -1,0 +1,223 @@
+// SPDX-FileCopyrightText: 2026 ribbon_mapper authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <filesystem>
+#include <fstream>
+#include <limits>
+#include <set>
+#include <sstream>
+#include <type_traits>
+
+#include "modeler/config_keys.hpp"
+#include "modeler/io/config_file.hpp"
+
+namespace ribbon_mapper {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// Calls `test(name, least, most)` for each number.
+template <typename Test>
+struct Numbers {
+  Test test;
+  void operator()(const char* key, double, double least, double most) const {
+    test(key, least, most);
+  }
+  void operator()(const char*, bool) const {}
+};
+template <typename Test>
+void for_each_number(Test test) {
+  const ModelerConfig config;
+  const Numbers<Test> numbers{test};
+  visit_keys(config, numbers);
+}
+
+struct Setter {
+  std::string key;
+  double value;
+  bool is_integer = false;
+  template <typename Number>
+  void operator()(const char* name, Number& number, double, double) {
+    if (name != key) return;
+    number = static_cast<Number>(value);
+    is_integer = std::is_integral_v<Number>;
+  }
+  void operator()(const char*, bool&) {}
+};
+
+/// What validate() says to this value; empty if it is content.
+std::string complaint(const std::string& key, double value) {
+  ModelerConfig config;
+  Setter setter{key, value};
+  visit_keys(config, setter);
+  try {
+    config.validate();
+    return "";
+  } catch (const std::invalid_argument& error) {
+    return error.what();
+  }
+}
+
+bool is_integer(const std::string& key) {
+  ModelerConfig config;
+  Setter setter{key, 5.0};
+  visit_keys(config, setter);
+  return setter.is_integer;
+}
+
+TEST(Config, DefaultsAreWithinTheirRanges) { EXPECT_NO_THROW(ModelerConfig{}.validate()); }
+
+TEST(Config, EachNumberHasARangeThatIsChecked) {
+  int keys = 0;
+  for_each_number([&](const char* key, double least, double most) {
+    ++keys;
+    EXPECT_LT(least, most) << key;
+    EXPECT_GE(least, 0.0) << key;
+    const double step = is_integer(key) ? 1.0 : 1e-3 * least + 1e-6;
+    for (const double bad : {least - step, most + std::max(step, 1e-3 * most)}) {
+      const std::string words = complaint(key, bad);
+      EXPECT_EQ(0u, words.find(std::string(key) + " is ")) << key << " = " << bad << ": " << words;
+      std::ostringstream range;
+      range << least << " .. " << most;
+      EXPECT_NE(std::string::npos, words.find(range.str())) << words;
+    }
+    if (!is_integer(key)) {
+      const double nan_ = std::numeric_limits<double>::quiet_NaN();
+      EXPECT_EQ(0u, complaint(key, nan_).find(key)) << key;
+      EXPECT_EQ(0u, complaint(key, std::numeric_limits<double>::infinity()).find(key)) << key;
+    }
+    const bool depends_on_another = std::string(key).find("_range_m") != std::string::npos;
+    if (!depends_on_another) {
+      EXPECT_EQ("", complaint(key, least));
+      EXPECT_EQ("", complaint(key, most));
+    }
+  });
+  EXPECT_GE(keys, 30);
+}
+
+TEST(Config, RangesMustNotBeEmpty) {
+  EXPECT_NE(std::string::npos, complaint("scan.least_range_m", 31.0).find("scan.most_range_m"));
+  EXPECT_NE(std::string::npos, complaint("scan.most_range_m", 0.2).find("scan.least_range_m"));
+}
+
+class ConfigFile : public ::testing::Test {
+ protected:
+  ConfigFile() { fs::create_directories(folder); }
+  ~ConfigFile() override { fs::remove_all(folder); }
+
+  std::string write(const std::string& text) const {
+    std::ofstream(folder / "my.yaml") << text;
+    return folder / "my.yaml";
+  }
+  std::string complaint_about(const std::string& path) const {
+    try {
+      load_config(path);
+      return "";
+    } catch (const std::invalid_argument& error) {
+      return error.what();
+    }
+  }
+  void expect_complaint(const std::string& text, const std::vector<std::string>& parts) const {
+    const std::string words = complaint_about(write(text));
+    EXPECT_NE(std::string::npos, words.find("my.yaml")) << words;
+    for (const std::string& part : parts) {
+      EXPECT_NE(std::string::npos, words.find(part)) << "'" << text << "': " << words;
+    }
+  }
+
+  const fs::path folder = fs::path(::testing::TempDir()) / "ribbon_mapper_config_test";
+};
+
+TEST_F(ConfigFile, SetsWhatItNamesAndLeavesTheRest) {
+  const ModelerConfig config = load_config(
+      write("map: {cell_size_m: 0.1, slam: {angle_deg: 5}}\nribbon:\n  least_points: 8\n"
+            "scan: {deskew: false}\n"));
+  EXPECT_EQ(0.1, config.map.cell_size_m);
+  EXPECT_EQ(5.0, config.map.slam.angle_deg);
+  EXPECT_EQ(8, config.ribbon.least_points);
+  EXPECT_FALSE(config.scan.deskew);
+  EXPECT_EQ(ModelerConfig{}.map.slam.distance_m, config.map.slam.distance_m);
+  EXPECT_EQ(ModelerConfig{}.scan.range_sigma_m, config.scan.range_sigma_m);
+}
+
+TEST_F(ConfigFile, AnEmptyOneIsTheDefaults) {
+  EXPECT_EQ(0.05, load_config(write("")).map.cell_size_m);
+  EXPECT_EQ(0.05, load_config(write("# nothing\n")).map.cell_size_m);
+}
+
+TEST_F(ConfigFile, UnknownKeysAreRefusedWithTheKnownOnes) {
+  expect_complaint("map: {cell_sise_m: 0.1}", {"unknown key map.cell_sise_m", "map.cell_size_m"});
+  expect_complaint("mapp: {cell_size_m: 0.1}", {"unknown key mapp.cell_size_m"});
+  expect_complaint("cell_size_m: 0.1", {"unknown key cell_size_m"});
+  expect_complaint("map: {slam: {cell_size_m: 0.1}}", {"unknown key map.slam.cell_size_m"});
+  expect_complaint("map: 3", {"unknown key map"});
+}
+
+TEST_F(ConfigFile, WrongValuesAreRefusedWithTheKey) {
+  expect_complaint("map: {cell_size_m: wide}", {"map.cell_size_m must be a number"});
+  expect_complaint("map: {cell_size_m: [1, 2]}", {"map.cell_size_m must be a number"});
+  expect_complaint("map: {cell_size_m: }", {"map.cell_size_m must be a number"});
+  expect_complaint("ribbon: {least_points: 6.5}", {"ribbon.least_points must be a number"});
+  expect_complaint("scan: {deskew: 7}", {"scan.deskew must be true or false"});
+  expect_complaint("map: {cell_size_m: 7}", {"map.cell_size_m is 7", "0.01 .. 1"});
+  expect_complaint("map: {cell_size_m: .nan}", {"map.cell_size_m is nan"});
+}
+
+TEST_F(ConfigFile, WhatIsNoConfigurationIsRefused) {
+  expect_complaint("- 1\n- 2\n", {"sections with keys"});
+  expect_complaint("just words", {"sections with keys"});
+  expect_complaint("map: {cell_size_m: 0.1", {});
+  expect_complaint("map: {cell_size_m: 0.1}\nmap: {cell_size_m: 0.2}", {"given twice"});
+  EXPECT_NE(std::string::npos, complaint_about(folder / "none.yaml").find("is there such a file"));
+  EXPECT_NE("", complaint_about(folder));
+}
+
+/// Keys that a file names.
+std::set<std::string> keys_in(const std::string& path) {
+  std::set<std::string> found;
+  std::ifstream file(path);
+  for (std::string line; std::getline(file, line);) {
+    const auto begin = line.find_first_not_of(' ');
+    const auto colon = line.find(':');
+    if (begin == std::string::npos || line[begin] == '#' || colon == std::string::npos) continue;
+    found.insert(line.substr(begin, colon - begin));
+  }
+  return found;
+}
+
+struct Values {
+  std::vector<double> values;
+  template <typename Value, typename... Range>
+  void operator()(const char*, const Value& value, Range...) {
+    values.push_back(value);
+  }
+};
+std::vector<double> values_of(const ModelerConfig& config) {
+  Values values;
+  visit_keys(config, values);
+  return values.values;
+}
+
+TEST(Presets, EachLoads) {
+  int count = 0;
+  for (const auto& entry : fs::directory_iterator(PROJECT_DIR "/config")) {
+    if (entry.path().extension() != ".yaml") continue;
+    EXPECT_NO_THROW(load_config(entry.path())) << entry.path();
+    ++count;
+  }
+  EXPECT_GE(count, 3);
+}
+
+TEST(Presets, ThatOfThePr2NamesEachKeyWithItsDefault) {
+  const std::string path = PROJECT_DIR "/config/pr2.yaml";
+  EXPECT_EQ(values_of({}), values_of(load_config(path)));
+  const std::set<std::string> keys = keys_in(path);
+  for_each_number([&](const std::string& key, double, double) {
+    EXPECT_TRUE(keys.count(key.substr(key.rfind('.') + 1))) << key;
+  });
+}
+
+}  // namespace
+}  // namespace ribbon_mapper

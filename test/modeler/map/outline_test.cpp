@@ -1,0 +1,129 @@
+// SPDX-FileCopyrightText: 2026 ribbon_mapper authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "modeler/map/outline.hpp"
+
+#include <gtest/gtest.h>
+
+#include <random>
+#include <set>
+
+#include "test/modeler/map/scene.hpp"
+
+namespace ribbon_mapper {
+namespace {
+
+using namespace mini_world;
+using Cells = std::vector<PlaneCell>;
+
+Cells operator+(Cells a, const Cells& b) {
+  a.insert(a.end(), b.begin(), b.end());
+  return a;
+}
+
+/// Positive if counter-clockwise about the normal [m2].
+double area_m2(const Plane& plane, const std::vector<Eigen::Vector3d>& outline) {
+  double twice = 0.0;
+  for (std::size_t i = 0; i < outline.size(); ++i) {
+    twice += outline[i].cross(outline[(i + 1) % outline.size()]).dot(plane.normal);
+  }
+  return 0.5 * twice;
+}
+
+TEST(Outline, OfARectangleIsItsFourCorners) {
+  const Plane plane = level_plane(0.7, rectangle(20, 10, -5, 3));
+  const auto outline = outline_of(plane, 0.3);
+  ASSERT_EQ(4u, outline.size());
+  EXPECT_NEAR(1.0 * 0.5, area_m2(plane, outline), 1e-9);
+  for (const Eigen::Vector3d& corner : outline) {
+    EXPECT_NEAR(0.7, corner.z(), 1e-9);
+    EXPECT_TRUE(std::abs(corner.x() + 0.25) < 1e-9 || std::abs(corner.x() - 0.75) < 1e-9);
+    EXPECT_TRUE(std::abs(corner.y() - 0.15) < 1e-9 || std::abs(corner.y() - 0.65) < 1e-9);
+  }
+}
+
+TEST(Outline, OfAnLHasSixCorners) {
+  const Plane plane = level_plane(0.0, rectangle(60, 20) + rectangle(20, 40, 0, 20));
+  const auto outline = outline_of(plane, 0.1);
+  EXPECT_EQ(6u, outline.size());
+  EXPECT_NEAR(plane.area_m2, area_m2(plane, outline), 1e-9);
+}
+
+TEST(Outline, KeepsNotchesThatAreDeeperThanACell) {
+  for (const int depth : {1, 3}) {
+    const Plane plane = level_plane(
+        0.0, rectangle(60, 40) + rectangle(20, depth, 0, 40) + rectangle(20, depth, 40, 40));
+    EXPECT_EQ(depth == 1 ? 4u : 8u, outline_of(plane, 0.1).size());
+  }
+}
+
+TEST(Outline, ClosesTheStripesBetweenLines) {
+  Cells stripes;
+  for (int v = 0; v < 40; v += 5) stripes = stripes + rectangle(40, 1, 0, v);
+  const Plane plane = level_plane(0.0, stripes);
+  const auto outline = outline_of(plane, 0.5);
+  EXPECT_EQ(4u, outline.size());
+  EXPECT_NEAR(2.0 * 36 * 0.05, area_m2(plane, outline), 1e-9);
+}
+
+TEST(Outline, LeavesHolesOut) {
+  Cells frame;
+  for (const PlaneCell& cell : rectangle(60, 60)) {
+    if (cell.u < 10 || cell.u >= 50 || cell.v < 10 || cell.v >= 50) frame.push_back(cell);
+  }
+  const Plane plane = level_plane(0.0, frame);
+  const auto outline = outline_of(plane, 0.3);
+  EXPECT_EQ(4u, outline.size());
+  EXPECT_NEAR(9.0, area_m2(plane, outline), 1e-9);
+}
+
+TEST(Outline, IsThatOfTheLargestPiece) {
+  const Plane plane = level_plane(0.0, rectangle(10, 10) + rectangle(30, 30, 100, 0));
+  EXPECT_NEAR(1.5 * 1.5, area_m2(plane, outline_of(plane, 0.3)), 1e-9);
+}
+
+TEST(Outline, OfNothingIsNothing) { EXPECT_TRUE(outline_of(level_plane(0.0, {}), 1.0).empty()); }
+
+TEST(Outline, OfOneCellIsIts) {
+  const Plane plane = level_plane(0.0, rectangle(1, 1, 7, -9));
+  EXPECT_NEAR(0.05 * 0.05, area_m2(plane, outline_of(plane, 1.0)), 1e-9);
+}
+
+TEST(Outline, OfCellsThatTouchByACornerIsOne) {
+  const Plane plane = level_plane(0.0, rectangle(10, 10) + rectangle(10, 10, 10, 10));
+  EXPECT_NEAR(plane.area_m2, area_m2(plane, outline_of(plane, 0.0)), 1e-9);
+}
+
+/// Cells of all rectangles; each must be in one only.
+std::set<std::pair<int, int>> cells_of(const std::vector<CellRectangle>& rectangles) {
+  std::set<std::pair<int, int>> cells;
+  for (const CellRectangle& r : rectangles) {
+    for (int v = r.v_begin; v < r.v_end; ++v) {
+      for (int u = r.u_begin; u < r.u_end; ++u) EXPECT_TRUE(cells.emplace(u, v).second);
+    }
+  }
+  return cells;
+}
+
+TEST(SurfaceRectangles, CoverEachCellOnce) {
+  std::mt19937 random(2);
+  Cells cells;
+  std::set<std::pair<int, int>> expected;
+  for (const PlaneCell& cell : rectangle(30, 30, -10, -20)) {
+    if (random() % 3 == 0) continue;
+    cells.push_back(cell);
+    expected.emplace(cell.u, cell.v);
+  }
+  EXPECT_EQ(expected, cells_of(surface_rectangles(level_plane(0.0, cells), 0.0)));
+}
+
+TEST(SurfaceRectangles, AreFew) {
+  EXPECT_EQ(1u, surface_rectangles(level_plane(0.0, rectangle(50, 30))).size());
+  Cells stripes;
+  for (int v = 0; v < 40; v += 5) stripes = stripes + rectangle(40, 1, 0, v);
+  EXPECT_EQ(1u, surface_rectangles(level_plane(0.0, stripes), 0.3).size());
+  EXPECT_EQ(8u, surface_rectangles(level_plane(0.0, stripes), 0.1).size());
+  EXPECT_TRUE(surface_rectangles(level_plane(0.0, {})).empty());
+}
+
+}  // namespace
+}  // namespace ribbon_mapper

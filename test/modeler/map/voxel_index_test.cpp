@@ -1,0 +1,79 @@
+// SPDX-FileCopyrightText: 2026 ribbon_mapper authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "modeler/map/voxel_index.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <random>
+
+namespace ribbon_mapper {
+namespace {
+
+using Vector = Eigen::Vector3d;
+using Slots = std::vector<std::uint32_t>;
+
+constexpr double voxel_m = 0.5;
+
+Vector random_point(std::mt19937& random) {
+  std::uniform_real_distribution<double> in(-3.0, 3.0);
+  return {in(random), in(random), in(random)};
+}
+
+bool are_neighbours(const Vector& a, const Vector& b) {
+  const Vector va = (a / voxel_m).array().floor(), vb = (b / voxel_m).array().floor();
+  return (va - vb).cwiseAbs().maxCoeff() <= 1.0;
+}
+
+Slots near(VoxelIndex& index, const Vector& point) {
+  Slots slots;
+  index.near({index.key_of(point)}, slots);
+  std::sort(slots.begin(), slots.end());
+  return slots;
+}
+
+TEST(VoxelIndex, FindsWhatIsInTheVoxelOrNextToIt) {
+  std::mt19937 random(8);
+  VoxelIndex index(voxel_m);
+  std::vector<std::vector<Vector>> places(30);
+  for (std::uint32_t slot = 0; slot < 30; ++slot) {
+    std::vector<VoxelKey> keys;
+    for (int i = 0; i < 5; ++i) {
+      places[slot].push_back(random_point(random));
+      keys.push_back(index.key_of(places[slot].back()));
+    }
+    index.enter(slot, keys);
+  }
+  for (int i = 0; i < 500; ++i) {
+    const Vector point = random_point(random);
+    Slots slow;
+    for (std::uint32_t slot = 0; slot < 30; ++slot) {
+      const auto& own = places[slot];
+      const auto is_near = [&](const Vector& place) { return are_neighbours(place, point); };
+      if (std::any_of(own.begin(), own.end(), is_near)) slow.push_back(slot);
+    }
+    EXPECT_EQ(slow, near(index, point));
+  }
+}
+
+TEST(VoxelIndex, WhatIsUnitedIsFoundUnderOneSlot) {
+  VoxelIndex index(voxel_m);
+  index.enter(0, {index.key_of({0.1, 0.1, 0.1})});
+  index.enter(1, {index.key_of({2.1, 0.1, 0.1}), index.key_of({2.6, 0.1, 0.1})});
+  index.unite(0, 1);
+  EXPECT_EQ(Slots{0}, near(index, {0.1, 0.1, 0.1}));
+  EXPECT_EQ(Slots{0}, near(index, {2.6, 0.1, 0.1}));
+  EXPECT_EQ(3u, index.touched_by(0).size());
+  EXPECT_TRUE(index.touched_by(1).empty());
+}
+
+TEST(VoxelIndex, FarAwayIsNowhere) {
+  VoxelIndex index(voxel_m);
+  index.enter(0, {index.key_of({0.1, 0.1, 0.1})});
+  EXPECT_TRUE(near(index, {-400.0, 30.0, 2.0}).empty());
+  EXPECT_TRUE(near(index, {1.1, 0.1, 0.1}).empty());
+  EXPECT_EQ(Slots{0}, near(index, {-0.1, -0.1, -0.1}));
+}
+
+}  // namespace
+}  // namespace ribbon_mapper

@@ -1,0 +1,183 @@
+// SPDX-FileCopyrightText: 2026 ribbon_mapper authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "modeler/modeler.hpp"
+
+#include <gtest/gtest.h>
+
+#include <limits>
+
+#include "test/modeler/plane_matchers.hpp"
+
+namespace ribbon_mapper {
+namespace {
+
+using namespace mini_world;
+
+constexpr float inf = std::numeric_limits<float>::infinity();
+constexpr float nan_ = std::numeric_limits<float>::quiet_NaN();
+
+Lines tour_without_drift() {
+  return drive(room(), {around_the_middle, to_and_fro, no_drift}, 0.0, 15.0);
+}
+
+TEST(Modeler, MakesOnePlaneOfEachFace) {
+  const Modeler modeler = model_of(tour_without_drift());
+  expect_one_for_each(room(), modeler.planes(), 0.3, 0.01);
+  expect_one_for_each(room(), modeler.merged_planes(), 0.3, 0.01);
+  const ModelStatistics statistics = modeler.statistics();
+  EXPECT_EQ(600u, statistics.lines);
+  EXPECT_GT(statistics.ribbons, 1000u);
+  EXPECT_EQ(0u, statistics.revision);
+  EXPECT_GT(modeler.memory_bytes(), 1000u * sizeof(double));
+}
+
+TEST(Modeler, PlanesSayWhatTheyAre) {
+  for (const Plane& plane : model_of(tour_without_drift()).merged_planes()) {
+    EXPECT_NEAR(1.0, plane.normal.norm(), 1e-12);
+    EXPECT_LT((plane.axis_u.cross(plane.axis_v) - plane.normal).norm(), 1e-9);
+    EXPECT_NEAR(0.0, plane.normal.dot(plane.centroid) + plane.d_m, 1e-6);
+    EXPECT_NEAR(0.0, plane.normal.dot(plane.origin) + plane.d_m, 1e-9);
+    EXPECT_NEAR(plane.cells.size() * 0.05 * 0.05, plane.area_m2, 1e-9);
+    EXPECT_GE(plane.outline.size(), 4u);
+    const double wall_m2 = 6.0 * 5.0;  // the largest face
+    EXPECT_GT(plane.area_m2, 0.3 * wall_m2);
+    EXPECT_LT(plane.area_m2, wall_m2);
+    for (int i = 0; i < 3; ++i) EXPECT_GT(plane.covariance(i, i), 0.0);
+  }
+}
+
+/// A board of 1.2 m with strips of 9 cm beside it, too narrow for ribbons, before a robot that
+/// drives up to it.
+TEST(Modeler, PointsOfNoRibbonAreWhereTheRobotSawThem) {
+  const auto board = [](double least_y, double most_y) {
+    return plane(-Eigen::Vector3d::UnitX(), 3.0, {0, least_y, 0}, {9, most_y, 2.5});
+  };
+  const World world{board(-0.6, 0.6), board(0.66, 0.75), board(-0.75, -0.66)};
+  const auto drive_up = [](double time_s) { return planar_pose(0.2 * time_s, 0.0, 0.0); };
+  const auto planes =
+      model_of(drive(world, {drive_up, to_and_fro, no_drift}, 0.0, 6.0)).merged_planes();
+  ASSERT_EQ(1u, planes.size());
+  std::size_t on_strips = 0;
+  for (const PlaneCell& cell : planes[0].cells) {
+    on_strips += std::abs(cell_centre(planes[0], cell).y()) > 0.65;
+  }
+  EXPECT_GT(on_strips, 0.7 * 2 * (0.09 / 0.05) * (2.5 / 0.05));
+}
+
+TEST(Modeler, AnEmptyOneHasNothing) {
+  Modeler modeler{ModelerConfig{}};
+  EXPECT_TRUE(modeler.planes().empty());
+  EXPECT_TRUE(modeler.merged_planes().empty());
+  EXPECT_TRUE(modeler.trajectory().empty());
+  EXPECT_EQ(0u, modeler.statistics().lines);
+  modeler.memory_bytes();
+}
+
+TEST(Modeler, RefusesABadConfiguration) {
+  ModelerConfig config;
+  config.map.cell_size_m = -1.0;
+  EXPECT_THROW(Modeler{config}, std::invalid_argument);
+}
+
+TEST(Modeler, SaysWhatBecameOfEachLine) {
+  Modeler modeler{ModelerConfig{}};
+  const Lines lines = tour_without_drift();
+  const auto result_of = [&](Line line, const std::function<void(Line&)>& spoil) {
+    spoil(line);
+    return modeler.add_scan_line(line.beams, line.poses);
+  };
+  EXPECT_EQ(LineResult::modelled, result_of(lines[10], [](Line&) {}));
+  EXPECT_EQ(LineResult::out_of_order, result_of(lines[10], [](Line&) {}));
+  EXPECT_EQ(LineResult::out_of_order, result_of(lines[9], [](Line&) {}));
+  EXPECT_EQ(LineResult::too_close,
+            result_of(lines[10], [](Line& line) { line.beams.stamp += from_seconds(0.001); }));
+  for (const float nothing : {nan_, inf, -inf, -1.0F, 0.0F, 1e9F}) {
+    EXPECT_EQ(LineResult::no_returns,
+              result_of(lines[11], [=](Line& line) { line.beams.ranges_m.assign(361, nothing); }));
+  }
+  EXPECT_EQ(LineResult::no_returns,
+            result_of(lines[11], [](Line& line) { line.beams.ranges_m.clear(); }));
+  EXPECT_EQ(LineResult::malformed,
+            result_of(lines[11], [](Line& line) { line.beams.ranges_m.resize(1000, 2.0F); }));
+  EXPECT_EQ(LineResult::malformed,
+            result_of(lines[11], [](Line& line) { line.beams.angle_increment_rad = nan_; }));
+  EXPECT_EQ(LineResult::malformed, result_of(lines[11], [](Line& line) {
+              line.poses.T_map_base.translation().x() = nan_;
+            }));
+  EXPECT_EQ(LineResult::modelled, result_of(lines[11], [](Line&) {}));
+  EXPECT_EQ(15u, modeler.statistics().lines);
+}
+
+TEST(Modeler, EachResultHasAName) {
+  EXPECT_STREQ("modelled", to_string(LineResult::modelled));
+  EXPECT_STREQ("too close", to_string(LineResult::too_close));
+  EXPECT_STREQ("no returns", to_string(LineResult::no_returns));
+  EXPECT_STREQ("malformed", to_string(LineResult::malformed));
+  EXPECT_STREQ("out of order", to_string(LineResult::out_of_order));
+}
+
+TEST(Modeler, BadLinesInBetweenLeaveNoTrace) {
+  const Lines lines = tour_without_drift();
+  Modeler modeler{ModelerConfig{}};
+  for (std::size_t i = 0; i < lines.size(); ++i) {
+    modeler.add_scan_line(lines[i].beams, lines[i].poses);
+    Line bad = lines[i];
+    bad.beams.stamp += from_seconds(0.001);
+    if (i % 5 == 0) bad.beams.ranges_m.assign(361, nan_);
+    if (i % 5 == 1) bad.beams.ranges_m.clear();
+    if (i % 5 == 2) bad.beams.ranges_m.resize(1000, 1.0F);
+    if (i % 5 == 3) bad.beams.stamp -= from_seconds(3.0);
+    if (i % 5 == 4) bad.poses.T_odom_base_last.linear()(0, 1) = inf;
+    EXPECT_NE(LineResult::modelled, modeler.add_scan_line(bad.beams, bad.poses));
+  }
+  EXPECT_EQ(bytes_of(model_of(lines).merged_planes()), bytes_of(modeler.merged_planes()));
+}
+
+TEST(Modeler, RangesThatMeanNothingCostNoPlane) {
+  Lines lines = tour_without_drift();
+  for (Line& line : lines) {
+    for (std::size_t i = 0; i < 361; i += 40) line.beams.ranges_m[i] = i % 80 ? nan_ : inf;
+  }
+  expect_one_for_each(room(), model_of(lines).merged_planes(), 0.3, 0.01);
+}
+
+TEST(Modeler, GoesOnWithLinesOfAnotherLength) {
+  Modeler modeler{ModelerConfig{}};
+  const Motion motion{around_the_middle, to_and_fro, no_drift};
+  for (const Line& line : drive(room(), motion, 0.0, 7.0)) {
+    modeler.add_scan_line(line.beams, line.poses);
+  }
+  for (const Line& line : drive(room(), motion, 7.0, 15.0, {541, 0.005, 2})) {
+    EXPECT_NE(LineResult::malformed, modeler.add_scan_line(line.beams, line.poses));
+  }
+  expect_one_for_each(room(), modeler.merged_planes(), 0.3, 0.01);
+}
+
+TEST(Modeler, SameInputSameBytes) {
+  const Lines lines = drive(room(), {around_the_middle, to_and_fro, wandering_drift}, 0.0, 15.0);
+  Modeler one = model_of(lines), other = model_of(lines);
+  EXPECT_EQ(bytes_of(one.planes()), bytes_of(other.planes()));
+  one.merged_planes();  // asking changes nothing
+  one.correct(true_trajectory(lines));
+  other.correct(true_trajectory(lines));
+  EXPECT_EQ(bytes_of(one.planes()), bytes_of(other.planes()));
+  EXPECT_EQ(bytes_of(one.merged_planes()), bytes_of(other.merged_planes()));
+}
+
+TEST(Modeler, ResetForgetsEverything) {
+  const Lines lines = tour_without_drift();
+  Modeler modeler = model_of(lines);
+  const std::string before = bytes_of(modeler.merged_planes());
+  modeler.correct(true_trajectory(lines, 50));
+  modeler.reset();
+  EXPECT_TRUE(modeler.planes().empty());
+  EXPECT_TRUE(modeler.trajectory().empty());
+  EXPECT_EQ(0u, modeler.statistics().lines);
+  EXPECT_EQ(0u, modeler.statistics().ribbons);
+  EXPECT_EQ(0u, modeler.statistics().revision);
+  for (const Line& line : lines) modeler.add_scan_line(line.beams, line.poses);  // older stamps
+  EXPECT_EQ(before, bytes_of(modeler.merged_planes()));
+}
+
+}  // namespace
+}  // namespace ribbon_mapper

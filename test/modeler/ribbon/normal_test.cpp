@@ -1,0 +1,101 @@
+// SPDX-FileCopyrightText: 2026 ribbon_mapper authors
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// The paper takes its normals from PCL. The core sums moments instead; on the same neighbours both
+// must say the same. The only file that includes PCL's heavy headers.
+#include <gtest/gtest.h>
+#include <pcl/features/normal_3d.h>
+#include <pcl/point_types.h>
+
+#include <cmath>
+#include <limits>
+
+#include "modeler/ribbon/surfel.hpp"
+#include "test/modeler/ribbon/three_lines.hpp"
+
+namespace ribbon_mapper {
+namespace {
+
+using namespace mini_world;
+
+pcl::PointCloud<pcl::PointXYZ> neighbours(const LineBuffer& buffer, const Neighbourhood& around,
+                                          const Eigen::Vector3d& origin) {
+  pcl::PointCloud<pcl::PointXYZ> cloud;
+  for (const ScanLine* line : {&buffer.previous(), &buffer.middle(), &buffer.next()}) {
+    for (std::size_t i = around.begin; i < around.end; ++i) {
+      const Eigen::Vector3f p = (line->points[i] - origin).cast<float>();
+      cloud.push_back({p.x(), p.y(), p.z()});
+    }
+  }
+  return cloud;
+}
+
+/// What PCL's single precision may do to a normal: its error grows as the base line across the
+/// lines shrinks against the length along them.
+double rounding_rad(const PlaneFit& fit) {
+  return 200.0 * std::numeric_limits<float>::epsilon() * fit.variances[2] /
+         (fit.variances[1] - fit.variances[0]);
+}
+
+struct Comparison {
+  int surfels = 0, sharp = 0;  ///< sharp: PCL's rounding is below 0.2 degrees
+  double most_roundings = 0.0;
+};
+
+void compare_with_pcl(const LineBuffer& buffer, const RibbonConfig& config, Comparison& result) {
+  std::vector<Surfel> surfels;
+  estimate_surfels(buffer, {}, config, surfels);
+  for (const Surfel& surfel : surfels) {
+    const auto around = neighbourhood_of(buffer, surfel.beam, config.neighbourhood_m);
+    const auto cloud = neighbours(buffer, around, surfel.point);
+    Eigen::Vector4f plane;
+    float curvature;
+    ASSERT_TRUE(pcl::computePointNormal(cloud, plane, curvature));
+    const Eigen::Vector3d normal = plane.head<3>().cast<double>();
+    Moments moments;
+    for (const pcl::PointXYZ& p : cloud) moments.add({p.x, p.y, p.z});
+    const double rounding = rounding_rad(fit_plane(moments));
+    const double angle_rad = std::asin(std::min(1.0, normal.cross(surfel.normal).norm()));
+    result.most_roundings = std::max(result.most_roundings, angle_rad / rounding);
+    ++result.surfels;
+    result.sharp += rounding < 3.5e-3;
+  }
+}
+
+TEST(Normals, AgreeWithPclOnTheSameNeighbours) {
+  const Motion motion{around_the_middle, to_and_fro, wandering_drift};
+  for (const double sigma_m : {0.0, 0.005, 0.018}) {
+    Comparison result;
+    for (const double time_s : {0.3, 1.0, 2.2, 4.0, 6.5}) {
+      compare_with_pcl(three_lines(room(), motion, time_s, {361, sigma_m, 7}), {}, result);
+    }
+    EXPECT_GT(result.surfels, 400);
+    EXPECT_GT(result.sharp, 0.8 * result.surfels);
+    EXPECT_LT(result.most_roundings, 1.0) << "sigma " << sigma_m;
+  }
+}
+
+TEST(Normals, AreThoseOfTheFaces) {
+  const Motion motion{around_the_middle, to_and_fro, no_drift};
+  const LineBuffer buffer = three_lines(room(), motion, 1.0, {361, 0.0, 1});
+  std::vector<Surfel> surfels;
+  estimate_surfels(buffer, {}, {}, surfels);
+  const World faces = room();
+  std::size_t on_one_face = 0;
+  for (const Surfel& surfel : surfels) {
+    for (const Face& face : faces) {
+      if (std::abs(face.normal.dot(surfel.point) + face.d_m) > 1e-3) continue;
+      const auto around = neighbourhood_of(buffer, surfel.beam, RibbonConfig{}.neighbourhood_m);
+      Moments moments = buffer.middle().moments(around.begin, around.end);
+      moments += buffer.previous().moments(around.begin, around.end);
+      moments += buffer.next().moments(around.begin, around.end);
+      if (moments.mean_square_distance(face.normal, face.d_m) > 1e-8) continue;  // at an edge
+      EXPECT_GT(surfel.normal.dot(face.normal), 1.0 - 1e-5);  // towards the sensor
+      ++on_one_face;
+    }
+  }
+  EXPECT_GT(on_one_face, surfels.size() / 2);
+}
+
+}  // namespace
+}  // namespace ribbon_mapper

@@ -1,0 +1,206 @@
+// SPDX-FileCopyrightText: 2026 ribbon_mapper authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "modeler/ribbon/ribbon_extraction.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "test/modeler/ribbon/three_lines.hpp"
+
+namespace ribbon_mapper {
+namespace {
+
+using namespace mini_world;
+
+constexpr double degree = M_PI / 180.0;
+
+ScanConfig precise() {
+  ScanConfig config;
+  config.range_sigma_m = 0.005;
+  return config;
+}
+
+std::vector<Ribbon> ribbons_of(const LineBuffer& buffer, const RibbonConfig& config = {}) {
+  return RibbonExtraction(precise(), config).extract(buffer);
+}
+
+LineBuffer precise_lines(const World& world, const Motion& motion, double middle_s = 0.0) {
+  return three_lines(world, motion, middle_s, {361, 0.005, 3}, precise());
+}
+
+double azimuth_rad(std::uint32_t beam) { return -M_PI_2 + beam * M_PI / 360.0; }
+
+/// The one face that a ribbon lies on; none if it lies on none.
+const Face* face_of(const World& world, const Ribbon& ribbon, const Pose& T_map_base,
+                    double angle_deg = 5.0) {
+  const Eigen::Vector3d normal = T_map_base.linear() * ribbon.normal;
+  const Eigen::Vector3d centroid = T_map_base * ribbon.moments.mean();
+  for (const Face& face : world) {
+    if (face.normal.dot(normal) > std::cos(angle_deg * degree) &&
+        std::abs(face.normal.dot(centroid) + face.d_m) < 0.01) {
+      return &face;
+    }
+  }
+  return nullptr;
+}
+
+TEST(RibbonExtraction, OneForEachWallOfARoomEndingAtItsCorners) {
+  const auto ribbons = ribbons_of(precise_lines(room(), tilting(0.8)));
+  ASSERT_EQ(3u, ribbons.size());
+  const double corner = std::atan2(2.5, 3.0);
+  EXPECT_NEAR(-corner, azimuth_rad(ribbons[0].last_beam), 1.5 * degree);
+  EXPECT_NEAR(-corner, azimuth_rad(ribbons[1].first_beam), 1.5 * degree);
+  EXPECT_NEAR(corner, azimuth_rad(ribbons[1].last_beam), 1.5 * degree);
+  EXPECT_NEAR(corner, azimuth_rad(ribbons[2].first_beam), 1.5 * degree);
+  EXPECT_NEAR(5.0, ribbons[1].length_m, 0.2);
+  EXPECT_GT(std::abs(ribbons[1].along.y()), 0.999);
+}
+
+TEST(RibbonExtraction, RibbonsLieOnTheirFacesInTheFrameOfTheirPose) {
+  const World world = room();
+  const Pose T_map_base = planar_pose(0.4, -0.3, 0.7);
+  for (const double tilt_rad : {-0.3, 0.0, 0.4}) {
+    const auto ribbons = ribbons_of(precise_lines(world, tilting(0.8, tilt_rad, T_map_base)));
+    EXPECT_GE(ribbons.size(), 2u);
+    for (const Ribbon& ribbon : ribbons) {
+      const Face* face = face_of(world, ribbon, T_map_base);
+      ASSERT_TRUE(face) << "tilt " << tilt_rad << ", from beam " << ribbon.first_beam;
+      const Moments moments = ribbon.moments.transformed(T_map_base);
+      EXPECT_LT(moments.mean_square_distance(face->normal, face->d_m), 0.008 * 0.008);
+      EXPECT_NEAR(0.0, ribbon.normal.dot(ribbon.along), 0.02);
+    }
+  }
+}
+
+TEST(RibbonExtraction, TheMomentsPlaneIsTheRibbons) {
+  for (const Ribbon& ribbon : ribbons_of(precise_lines(room(), tilting(0.8)))) {
+    EXPECT_GT(std::abs(fit_plane(ribbon.moments).normal().dot(ribbon.normal)), 0.999);
+    EXPECT_NEAR(ribbon.last_beam - ribbon.first_beam + 1.0, ribbon.moments.weight(), 1e-9);
+  }
+}
+
+TEST(RibbonExtraction, RibbonsAndStrayPointsAreAllReturnsOnce) {
+  const LineBuffer buffer = precise_lines(room(), {around_the_middle, to_and_fro, no_drift}, 1.7);
+  RibbonExtraction extraction(precise(), {});
+  double points = 0.0;
+  for (const Ribbon& ribbon : extraction.extract(buffer)) {
+    double samples = 0.0;
+    for (const RibbonSample& sample : ribbon.samples) samples += sample.count;
+    EXPECT_EQ(ribbon.moments.weight(), samples);
+    points += samples;
+  }
+  for (const RibbonSample& sample : extraction.strays(buffer).samples) points += sample.count;
+  EXPECT_EQ(buffer.middle().moments(0, 361).weight(), points);
+}
+
+TEST(RibbonExtraction, FarRibbonsHaveTheirAreaCapped) {
+  const World far{plane(-Eigen::Vector3d::UnitX(), 20.0)};
+  const auto ribbons = ribbons_of(precise_lines(far, tilting(0.8)));
+  ASSERT_FALSE(ribbons.empty());
+  for (const Ribbon& ribbon : ribbons) {
+    EXPECT_NEAR(RibbonConfig{}.area_cap_m2 * ribbon.moments.weight(), ribbon.area_m2, 1e-9);
+  }
+}
+
+/// A wall that steps back by 9 cm at y = 0: too little for a jump in depth.
+World stepped_wall() {
+  return {plane(-Eigen::Vector3d::UnitX(), 3.0, {0, -9, -9}, {9, 0, 9}),
+          plane(-Eigen::Vector3d::UnitX(), 3.09, {0, 0, -9}, {9, 9, 9})};
+}
+
+TEST(RibbonExtraction, FacesOfOneDirectionAreSplitByDistance) {
+  const World world = stepped_wall();
+  const LineBuffer buffer = precise_lines(world, tilting(0.8));
+  ASSERT_GT(buffer.middle().end_of_segment[175], 190u);  // one segment for both
+  const auto ribbons = ribbons_of(buffer);
+  ASSERT_EQ(2u, ribbons.size());
+  EXPECT_EQ(&world[0], face_of(world, ribbons[0], Pose::Identity()));
+  EXPECT_EQ(&world[1], face_of(world, ribbons[1], Pose::Identity()));
+  EXPECT_NEAR(180.0, ribbons[0].last_beam, 2.0);
+  EXPECT_NEAR(180.0, ribbons[1].first_beam, 2.0);
+  RibbonConfig undivided;
+  undivided.distance_gap_m = 10.0;
+  EXPECT_NE(2u, ribbons_of(buffer, undivided).size());
+}
+
+/// Number of ribbons that lie on neither face while the lines sweep over the edge of a floor.
+int bevels(const RibbonConfig& config) {
+  const Eigen::Vector3d corner(9.0, 1.5, 9.0);
+  const World world{plane(-Eigen::Vector3d::UnitX(), 3.0, -corner, corner),
+                    plane(Eigen::Vector3d::UnitZ(), 0.0, -corner, corner)};
+  int count = 0;
+  for (double tilt_rad = 0.35; tilt_rad < 0.41; tilt_rad += 0.00025) {
+    const LineBuffer buffer = precise_lines(world, tilting(0.8, tilt_rad));
+    for (const Ribbon& ribbon : ribbons_of(buffer, config)) {
+      count += face_of(world, ribbon, Pose::Identity(), 12.0) == nullptr;
+    }
+  }
+  return count;
+}
+
+TEST(RibbonExtraction, LinesThatStraddleAnEdgeMakeNoBevel) {
+  RibbonConfig tolerant;  // what is below the noise is left to the map: see bevel_test.cpp
+  tolerant.bevel_sigmas = 100.0;
+  tolerant.bevel_slack_m = 1.0;
+  const int without_check = bevels(tolerant);
+  EXPECT_GT(without_check, 8);
+  EXPECT_LT(bevels({}), without_check / 4);
+}
+
+/// Mixed pixels at a horizontal edge: each line sees the wall further away.
+LineBuffer veil() {
+  LineBuffer buffer(0.0);
+  for (int k = 0; k < 3; ++k) {
+    const double depth_m = 2.0 + 0.5 * k, tilt_rad = std::atan2(0.02 * k, depth_m);
+    const World wall{plane(-Eigen::Vector3d::UnitX(), depth_m)};
+    const Line line = drive(wall, tilting(0.0, tilt_rad), 0.0, 0.02, {361, 0.002, 1}).front();
+    place_beams(line.beams, line.poses, precise(), buffer.incoming());
+    buffer.push();
+  }
+  buffer.advance();
+  return buffer;
+}
+
+TEST(RibbonExtraction, AVeilAlongTheBeamsIsNoRibbon) {
+  RibbonConfig tolerant;
+  tolerant.least_incidence_deg = 0.0;
+  EXPECT_FALSE(ribbons_of(veil(), tolerant).empty());
+  EXPECT_TRUE(ribbons_of(veil()).empty());
+}
+
+TEST(RibbonExtraction, WhatIsTooShortIsNoRibbon) {
+  const auto board = [](double width_m) {
+    const Eigen::Vector3d corner(9.0, 0.5 * width_m, 9.0);
+    return World{plane(-Eigen::Vector3d::UnitX(), 1.0, -corner, corner)};
+  };
+  EXPECT_TRUE(ribbons_of(precise_lines(board(0.09), tilting(0.8))).empty());
+  const auto ribbons = ribbons_of(precise_lines(board(0.3), tilting(0.8)));
+  ASSERT_EQ(1u, ribbons.size());
+  EXPECT_NEAR(0.3, ribbons[0].length_m, 0.02);
+}
+
+TEST(RibbonExtraction, NoReturnsNoRibbons) {
+  EXPECT_TRUE(ribbons_of(precise_lines({}, tilting(0.8))).empty());
+}
+
+TEST(RibbonExtraction, KeepsNothingFromLineToLine) {
+  const LineBuffer a = precise_lines(room(), tilting(0.8, 0.2));
+  const LineBuffer b = precise_lines(stepped_wall(), tilting(0.8));
+  RibbonExtraction extraction(precise(), {});
+  const std::vector<Ribbon> first = extraction.extract(a);
+  extraction.extract(b);
+  const std::vector<Ribbon> again = extraction.extract(a);
+  ASSERT_EQ(first.size(), again.size());
+  for (std::size_t i = 0; i < first.size(); ++i) {
+    EXPECT_EQ(first[i].first_beam, again[i].first_beam);
+    EXPECT_EQ(first[i].last_beam, again[i].last_beam);
+    EXPECT_EQ(first[i].normal, again[i].normal);
+    EXPECT_EQ(first[i].area_m2, again[i].area_m2);
+    EXPECT_EQ(first[i].samples.size(), again[i].samples.size());
+  }
+}
+
+}  // namespace
+}  // namespace ribbon_mapper

@@ -1,0 +1,77 @@
+// SPDX-FileCopyrightText: 2026 ribbon_mapper authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include <gtest/gtest.h>
+
+#include <functional>
+#include <limits>
+
+#include "modeler/scan/scan_line.hpp"
+
+namespace ribbon_mapper {
+namespace {
+
+constexpr double inf = std::numeric_limits<double>::infinity();
+constexpr double nan_ = std::numeric_limits<double>::quiet_NaN();
+
+LaserBeams good_beams() {
+  LaserBeams beams;
+  beams.angle_min_rad = -M_PI;
+  beams.angle_increment_rad = M_PI / 360.0;
+  beams.time_increment_s = 1e-5;
+  beams.range_min_m = 0.0;
+  beams.range_max_m = 30.0;
+  beams.ranges_m.assign(721, 1.0F);
+  return beams;
+}
+
+TEST(DefectOf, NoneInGoodLines) {
+  EXPECT_FALSE(defect_of(good_beams(), {}));
+  LaserBeams beams = good_beams();
+  beams.angle_increment_rad *= -1.0;  // clockwise
+  EXPECT_FALSE(defect_of(beams, {}));
+  beams = good_beams();
+  beams.range_max_m = inf;
+  EXPECT_FALSE(defect_of(beams, {}));
+  beams.ranges_m.clear();  // no returns, but nothing wrong
+  EXPECT_FALSE(defect_of(beams, {}));
+  beams = good_beams();
+  beams.time_increment_s = 0.0;  // all at once
+  EXPECT_FALSE(defect_of(beams, {}));
+}
+
+TEST(DefectOf, EachBadFieldOfTheBeams) {
+  const std::vector<std::function<void(LaserBeams&)>> defects{
+      [](LaserBeams& b) { b.angle_min_rad = nan_; },
+      [](LaserBeams& b) { b.angle_min_rad = inf; },
+      [](LaserBeams& b) { b.angle_increment_rad = nan_; },
+      [](LaserBeams& b) { b.angle_increment_rad = -inf; },
+      [](LaserBeams& b) { b.angle_increment_rad = 0.0; },
+      [](LaserBeams& b) { b.time_increment_s = nan_; },
+      [](LaserBeams& b) { b.time_increment_s = inf; },
+      [](LaserBeams& b) { b.range_min_m = nan_; },
+      [](LaserBeams& b) { b.range_min_m = -0.1; },
+      [](LaserBeams& b) { b.range_max_m = nan_; },
+      [](LaserBeams& b) { b.range_max_m = 0.0; },
+      [](LaserBeams& b) { b.ranges_m.resize(800); }};
+  for (std::size_t i = 0; i < defects.size(); ++i) {
+    LaserBeams beams = good_beams();
+    defects[i](beams);
+    EXPECT_TRUE(defect_of(beams, {})) << "defect " << i;
+  }
+}
+
+TEST(DefectOf, EachBadPose) {
+  for (Pose LinePoses::*pose :
+       {&LinePoses::T_odom_base_first, &LinePoses::T_odom_base_last, &LinePoses::T_base_laser_first,
+        &LinePoses::T_base_laser_last, &LinePoses::T_map_base}) {
+    LinePoses poses;
+    (poses.*pose).translation().x() = nan_;
+    EXPECT_TRUE(defect_of(good_beams(), poses));
+    poses = {};
+    (poses.*pose).linear().setZero();  // a quaternion of zeros
+    EXPECT_TRUE(defect_of(good_beams(), poses));
+  }
+}
+
+}  // namespace
+}  // namespace ribbon_mapper

@@ -1,0 +1,132 @@
+// SPDX-FileCopyrightText: 2026 ribbon_mapper authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "modeler/scan/line_buffer.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "test/modeler/mini_world.hpp"
+
+namespace ribbon_mapper {
+namespace {
+
+ScanLine line_at(const Pose& T_odom_base, double tilt_rad, double range_m = 4.0,
+                 std::size_t count = 181) {
+  LaserBeams beams;
+  beams.angle_min_rad = -M_PI_2;
+  beams.angle_increment_rad = M_PI / (count - 1.0);
+  beams.range_max_m = 30.0;
+  beams.ranges_m.assign(count, static_cast<float>(range_m));
+  const Pose tilt = mini_world::T_base_laser(tilt_rad);
+  ScanLine line;
+  place_beams(beams, {T_odom_base, T_odom_base, tilt, tilt, Pose::Identity()}, {}, line);
+  return line;
+}
+
+constexpr double kTiltStep_rad = 0.01;  // 40 mm at 4 m
+
+void push(LineBuffer& buffer, int second, std::size_t count = 181) {
+  buffer.incoming() = line_at(Pose::Identity(), kTiltStep_rad * second, 4.0, count);
+  buffer.incoming().stamp = from_seconds(second);
+  buffer.push();
+}
+
+double seconds_of(const ScanLine& line) { return to_seconds(line.stamp); }
+
+TEST(LineBuffer, GivesEachLineTheOnesNextToIt) {
+  LineBuffer buffer(0.0);
+  EXPECT_EQ(nullptr, buffer.newest_line());
+  for (int second = 1; second <= 60; ++second) {
+    push(buffer, second);
+    EXPECT_EQ(second, seconds_of(*buffer.newest_line()));
+    ASSERT_EQ(second >= 3, buffer.advance());
+    if (second < 3) continue;
+    EXPECT_EQ(second - 2, seconds_of(buffer.previous()));
+    EXPECT_EQ(second - 1, seconds_of(buffer.middle()));
+    EXPECT_EQ(second, seconds_of(buffer.next()));
+    EXPECT_FALSE(buffer.advance()) << "each line is the middle once";
+  }
+}
+
+TEST(LineBuffer, GoesFurtherWhereLinesAreDense) {
+  const double step_m = base_line_m(line_at(Pose::Identity(), 0.0), line_at(Pose::Identity(), kTiltStep_rad));
+  LineBuffer buffer(2.5 * step_m);
+  for (int second = 1; second <= 60; ++second) {
+    push(buffer, second);
+    ASSERT_EQ(second >= 7, buffer.advance());
+    if (second < 7) continue;
+    EXPECT_EQ(second - 6, seconds_of(buffer.previous()));
+    EXPECT_EQ(second - 3, seconds_of(buffer.middle()));
+    EXPECT_EQ(second, seconds_of(buffer.next()));
+  }
+}
+
+TEST(LineBuffer, ALineThatIsNotPushedLeavesNoTrace) {
+  LineBuffer buffer(0.0);
+  for (int second = 1; second <= 3; ++second) push(buffer, second);
+  ASSERT_TRUE(buffer.advance());
+  buffer.incoming() = line_at(Pose::Identity(), 0.3, 9.0, 50);
+  EXPECT_EQ(1, seconds_of(buffer.previous()));
+  EXPECT_EQ(3, seconds_of(buffer.next()));
+}
+
+TEST(LineBuffer, StartsAfreshWithLinesOfAnotherLength) {
+  LineBuffer buffer(0.0);
+  for (int second = 1; second <= 3; ++second) push(buffer, second);
+  push(buffer, 4, 91);
+  EXPECT_FALSE(buffer.advance());
+  push(buffer, 5, 91);
+  EXPECT_FALSE(buffer.advance());
+  push(buffer, 6, 91);
+  EXPECT_TRUE(buffer.advance());
+  buffer.clear();
+  EXPECT_FALSE(buffer.advance());
+  EXPECT_EQ(nullptr, buffer.newest_line());
+}
+
+TEST(BaseLine, OfATiltIsRangeTimesStepAtTheMedianBeam) {
+  // Beams that lie at an azimuth a from the tilt axis' normal move by cos(a); the median azimuth of
+  // -90 .. 90 degrees is 45 degrees. (A tenth is for the samples, which need not be symmetric.)
+  const double step_rad = 0.01;
+  for (const double tilt_rad : {-0.5, 0.0, 0.8}) {
+    const double base_line = base_line_m(line_at(Pose::Identity(), tilt_rad),
+                                         line_at(Pose::Identity(), tilt_rad + step_rad));
+    EXPECT_NEAR(4.0 * std::sin(step_rad) * M_SQRT1_2, base_line, 0.1 * 4.0 * step_rad);
+  }
+}
+
+TEST(BaseLine, OfAMotionAcrossIsThatMotion) {
+  const Pose up = Pose(Eigen::Translation3d(0.0, 0.0, 0.03));
+  EXPECT_NEAR(0.03, base_line_m(line_at(Pose::Identity(), 0.0), line_at(up, 0.0)), 1e-6);
+  EXPECT_NEAR(0.03 * std::cos(0.5), base_line_m(line_at(Pose::Identity(), 0.5), line_at(up, 0.5)),
+              1e-6);
+}
+
+TEST(BaseLine, IsNoneAlongTheLine) {
+  const ScanLine before = line_at(Pose::Identity(), 0.0);
+  EXPECT_NEAR(0.0, base_line_m(before, before), 1e-12);
+  EXPECT_NEAR(0.0, base_line_m(before, line_at(planar_pose(0.2, -0.1, 0.1), 0.0)), 1e-9);
+}
+
+TEST(BaseLine, WithoutReturnsOrAnythingToCompare) {
+  const ScanLine line = line_at(Pose::Identity(), 0.0);
+  EXPECT_EQ(0.0, base_line_m(line, line_at(Pose::Identity(), 0.1, -1.0)));
+  EXPECT_TRUE(std::isinf(base_line_m(line, line_at(Pose::Identity(), 0.0, 4.0, 91))));
+}
+
+TEST(BaseLine, ComesFromAllOfTheLine) {
+  // Far returns in the last quarter only, whatever the number of beams.
+  for (const std::size_t count : {33u, 63u, 95u, 187u, 361u, 1040u}) {
+    ScanLine before = line_at(Pose::Identity(), 0.0, 1.0, count);
+    ScanLine after = line_at(Pose::Identity(), 0.01, 1.0, count);
+    for (std::size_t i = 0; i < count; ++i) {
+      const bool is_last_quarter = 4 * i >= 3 * count;
+      if (!is_last_quarter) after.ranges_m[i] = 0.0F;
+    }
+    EXPECT_GT(base_line_m(before, after), 0.0) << count << " beams";
+  }
+}
+
+}  // namespace
+}  // namespace ribbon_mapper

@@ -1,0 +1,119 @@
+#!/usr/bin/python3
+# SPDX-FileCopyrightText: 2026 ribbon_mapper authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""loop_closure.launch for real: what is published is the world, as often as each plane is there.
+
+~corrections: how many to expect; ~drift: of the localisation; ~output: of the report.
+"""
+import json
+import os
+import sys
+import unittest
+
+import rospy
+import rostest
+from nav_msgs.msg import Path
+from ribbon_mapper.msg import PlaneArray
+from ribbon_mapper.srv import GetModel, GetModelRequest
+from std_msgs.msg import Bool
+from std_srvs.srv import Trigger
+
+from plane_matching import compare
+from waiting import Latest, eventually
+
+PLANES = 5  # of the bare room
+
+
+class LoopClosure(unittest.TestCase):
+    @classmethod
+    def setUpClass(cls):
+        cls.drift = rospy.get_param('~drift')
+        cls.corrections = rospy.get_param('~corrections')
+        cls.truth = Latest('ground_truth/planes', PlaneArray)
+        cls.planes = Latest('modeler/planes', PlaneArray)
+        cls.trajectory = Latest('modeler/trajectory', Path)
+        cls.before = Latest('modeler/trajectory_before', Path)
+        cls.finished = Latest('tour_finished', Bool)
+        rospy.wait_for_service('modeler/get_model', 20.0)
+        cls.get_model = rospy.ServiceProxy('modeler/get_model', GetModel)
+        cls.middle = cls.correct_in_the_middle() if cls.corrections == 2 else None
+        assert eventually(lambda: cls.model().planes.revision == cls.corrections, 40.0), 'correction'
+        assert eventually(lambda: cls.planes.messages[-1].revision == cls.corrections), 'planes'
+
+    @classmethod
+    def model(cls, which=GetModelRequest.CURRENT, merged=True, cells=False):
+        return cls.get_model(which=which, merged=merged, cells=cells)
+
+    @classmethod
+    def correct_in_the_middle(cls):
+        rospy.wait_for_service('correction/close_loop', 20.0)
+        close_loop = rospy.ServiceProxy('correction/close_loop', Trigger)
+        assert eventually(lambda: cls.model().lines > 400, 40.0), 'the tour does not get half way'
+        answer = close_loop()
+        assert answer.success, answer.message
+        assert eventually(lambda: cls.model().planes.revision == 1), 'the first correction'
+        return cls.model()
+
+    def counts(self, **which):
+        return compare(self.model(cells=True, **which).planes.planes, self.truth.wait().planes)
+
+    def test_the_corrected_model_is_the_world(self):
+        self.assertEqual(len(self.truth.wait().planes), PLANES)
+        counts = self.counts()
+        self.assertEqual(counts.key(), (PLANES, 0, 0, 0), counts)
+
+    def test_what_is_published_is_what_the_service_gives(self):
+        published = {p.id: p for p in self.planes.messages[-1].planes}
+        given = {p.id: p for p in self.model().planes.planes}
+        self.assertEqual(sorted(published), sorted(given))
+        for i, plane in given.items():
+            self.assertEqual(published[i].normal, plane.normal)
+            self.assertEqual(published[i].d, plane.d)
+
+    def test_the_noisy_model_has_copies_exactly_if_there_is_drift(self):
+        """The control: as merged as the corrected model."""
+        counts = self.counts(which=GetModelRequest.BEFORE_CORRECTION)
+        if self.drift == 0.0:
+            self.assertEqual(counts.key(), (PLANES, 0, 0, 0), counts)
+        elif self.corrections == 1:
+            self.assertGreater(counts.extra + counts.duplicates, 0, counts)
+
+    def test_without_drift_nothing_changes(self):
+        if self.drift > 0.0:
+            return
+        before = self.model(which=GetModelRequest.BEFORE_CORRECTION).planes.planes
+        after = {plane.id: plane for plane in self.model().planes.planes}
+        self.assertEqual({plane.id for plane in before}, set(after))
+        for old in before:
+            new = after[old.id]
+            for axis in ('x', 'y', 'z'):  # the gates of corrected poses are narrower: other ribbons
+                self.assertAlmostEqual(getattr(old.normal, axis), getattr(new.normal, axis),
+                                       delta=0.001)
+            self.assertAlmostEqual(old.d, new.d, delta=0.002)
+        for old, new in zip(self.before.wait().poses, self.trajectory.messages[-1].poses):
+            self.assertEqual(old.header.stamp, new.header.stamp)
+            self.assertAlmostEqual(old.pose.position.x, new.pose.position.x, 6)
+            self.assertAlmostEqual(old.pose.position.y, new.pose.position.y, 6)
+
+    def test_the_first_of_two_corrections_came_on_the_way(self):
+        if self.middle is None:
+            return
+        self.assertLess(self.middle.lines, 0.9 * self.model().lines)
+        self.assertTrue(self.middle.planes.planes)
+
+    def test_the_report_says_the_same(self):
+        path = os.path.join(rospy.get_param('~output'), 'summary.json')
+        self.assertTrue(eventually(lambda: os.path.exists(path)), 'no report in ' + path)
+        with open(path) as file:
+            report = json.load(file)['four_cells']
+        cells = (('corrected_merged', self.counts()),
+                 ('noisy_merged', self.counts(which=GetModelRequest.BEFORE_CORRECTION)))
+        for cell, counts in cells:
+            figures = tuple(report[cell][key] for key in ('matched', 'missed', 'extra',
+                                                          'duplicates'))
+            self.assertEqual(figures, counts.key(), cell)
+
+
+if __name__ == '__main__':
+    rospy.init_node('loop_closure_test')
+    rostest.rosrun('ribbon_mapper', rospy.get_name().strip('/'), LoopClosure, sys.argv)
