@@ -20,9 +20,9 @@ std::string BagReport::text() const {
     const char* mark;
   };
   std::string text;
-  for (const Section& section : {Section{Finding::Weight::fact, "         "},
-                                 Section{Finding::Weight::warning, "WARNING  "},
-                                 Section{Finding::Weight::fault, "FAULT    "}}) {
+  for (const Section& section :
+       {Section{Finding::Weight::fact, "         "}, Section{Finding::Weight::warning, "WARNING  "},
+        Section{Finding::Weight::fault, "FAULT    "}}) {
     for (const Finding& finding : findings_) {
       if (finding.weight == section.weight) text += section.mark + finding.text + "\n";
     }
