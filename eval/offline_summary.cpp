@@ -54,14 +54,16 @@ std::string summary_text(const OfflineSummary& s) {
   for (const auto& [reason, count] : s.dropped_lines) {
     text << "  dropped: " << count << " x " << reason << "\n";
   }
-  for (const auto& [outcome, count] : s.handled_lines) text << "  " << outcome << ": " << count << "\n";
+  for (const auto& [outcome, count] : s.handled_lines)
+    text << "  " << outcome << ": " << count << "\n";
   text << s.planes << " planes (" << s.planes_before << " as built on the way), " << s.duplicates
        << " duplicates";
   if (s.residual_m_median) text << ", median residual " << 1e3 * *s.residual_m_median << " mm";
   text << "\nposes: " << s.trajectory << "\n";
   text << s.recording_s << " s of recording in " << std::setprecision(2) << s.wall_s << " s ("
        << std::setprecision(0) << real_time_factor(s) << " x real time, " << std::setprecision(2)
-       << s.cpu_s << " s CPU), peak memory " << std::setprecision(0) << s.peak_memory_mib << " MiB\n";
+       << s.cpu_s << " s CPU), peak memory " << std::setprecision(0) << s.peak_memory_mib
+       << " MiB\n";
   return text.str();
 }
 

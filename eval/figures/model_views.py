@@ -48,7 +48,8 @@ def load_cells(path):
     fields = [line.split()[1:] for line in lines if line.startswith("property")]
     kind = numpy.dtype([(name, kinds[type_]) for type_, name in fields])
     if any("ascii" in line for line in lines):
-        rows = numpy.array([line.split() for line in body.decode("ascii").splitlines()[:count]], float)
+        text = body.decode("ascii").splitlines()[:count]
+        rows = numpy.array([line.split() for line in text], float)
         table = {name: rows[:, i] for i, (_, name) in enumerate(fields)}
     else:
         table = numpy.frombuffer(body, kind, count)
@@ -58,7 +59,7 @@ def load_cells(path):
 
 
 def views_of(points):
-    """Title, axis to the right, axis upwards of each view; the longer horizontal axis to the right."""
+    """Title, axis to the right, axis upwards of each view; the longer of x and y to the right."""
     extent = numpy.ptp(points, axis=0)
     right, other = (0, 1) if extent[0] >= extent[1] else (1, 0)
     return [("from above", right, other), ("from the side", right, 2)]

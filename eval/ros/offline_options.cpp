@@ -10,9 +10,11 @@ namespace ribbon_mapper::eval {
 namespace {
 
 constexpr const char* kDescription =
-    "Models the scan lines of a bag as fast as it goes, without a ROS master: the same code as the\n"
+    "Models the scan lines of a bag as fast as it goes, without a ROS master: the same code as "
+    "the\n"
     "node, the same bag gives the same planes, byte for byte.\n"
-    "Writes planes_before.json (recorded poses, as built on the way), planes_after.{json,ply,bt} with\n"
+    "Writes planes_before.json (recorded poses, as built on the way), planes_after.{json,ply,bt} "
+    "with\n"
     "planes_after_cells.ply (the final model), trajectory.tum and summary.json.";
 
 constexpr const char* kFooter =
@@ -35,7 +37,8 @@ std::variant<OfflineOptions, int> parse_offline_options(int argc, const char* co
                "the recorded poses are as good as corrected ones; known when the base stands still")
       ->excludes("--trajectory");
   add_bag_options(app, options.bag, tf_drop_frames);
-  app.add_flag("--figure", options.with_figure, "draw model_views.png from above and from the side");
+  app.add_flag("--figure", options.with_figure,
+               "draw model_views.png from above and from the side");
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {

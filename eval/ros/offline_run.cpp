@@ -63,8 +63,9 @@ std::vector<StampedPose> final_poses(const OfflineOptions& options, const Modele
     return read_tum(options.trajectory);
   }
   const bool still = stands_still(modeler.trajectory());
-  origin = still ? "recorded, the base stands still"
-                 : options.poses_are_final ? "recorded, final" : "recorded, not corrected";
+  origin = still                     ? "recorded, the base stands still"
+           : options.poses_are_final ? "recorded, final"
+                                     : "recorded, not corrected";
   if (still || options.poses_are_final) return modeler.trajectory();
   return {};
 }

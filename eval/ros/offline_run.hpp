@@ -19,8 +19,8 @@ struct OfflineRun {
 };
 
 /// Reads the bags through the intake of the node into the modeler, then evaluates the model with
-/// the final poses. Throws std::runtime_error or std::invalid_argument that says what is wrong: with
-/// a bag, a preset, the trajectory (another run's), or if no line could be placed.
+/// the final poses. Throws std::runtime_error or std::invalid_argument that says what is wrong:
+/// with a bag, a preset, the trajectory (another run's), or if no line could be placed.
 OfflineRun model_bags(const OfflineOptions& options, const ProgressCallback& progress);
 
 /// Writes the files that offline_modeler promises, each whole or not at all, but the summary.

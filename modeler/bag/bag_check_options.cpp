@@ -9,7 +9,8 @@ namespace ribbon_mapper {
 namespace {
 
 constexpr const char* kDescription =
-    "Says whether a bag can be mapped, and what is wrong with it: topics, stamps, gaps, tf, ranges,\n"
+    "Says whether a bag can be mapped, and what is wrong with it: topics, stamps, gaps, tf, "
+    "ranges,\n"
     "the tilt, line spacing against noise, and the time offset of the laser.";
 
 constexpr const char* kFooter =
@@ -32,13 +33,15 @@ void add_bag_options(CLI::App& app, BagOptions& options, std::string& tf_drop_fr
                  "how much later in the bag than its scan a transform may come [s]")
       ->check(CLI::Range(0.0, 3600.0))
       ->capture_default_str();
-  app.add_option("--tf-drop-frames", tf_drop_frames,
-                 "leave out transforms whose parent is one of these, such as \"map odom_combined\"");
+  app.add_option(
+      "--tf-drop-frames", tf_drop_frames,
+      "leave out transforms whose parent is one of these, such as \"map odom_combined\"");
 }
 
 void finish_bag_options(BagOptions& options, const std::string& tf_drop_frames) {
   Frames& frames = options.intake.frames;
-  for (std::string* frame : {&frames.map, &frames.odom, &frames.base}) *frame = without_slash(*frame);
+  for (std::string* frame : {&frames.map, &frames.odom, &frames.base})
+    *frame = without_slash(*frame);
   options.tf_drop_frames = frames_from(tf_drop_frames);
 }
 

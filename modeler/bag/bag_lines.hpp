@@ -43,8 +43,8 @@ class BagLines {
   std::optional<ReadyLine> next();
 
   const std::string& scan_topic() const { return scan_topic_; }
-  std::size_t line_count() const { return line_count_; }        ///< scans in the bags
-  std::size_t refused_transforms() const { return refused_; }   ///< not usable, left out
+  std::size_t line_count() const { return line_count_; }       ///< scans in the bags
+  std::size_t refused_transforms() const { return refused_; }  ///< not usable, left out
   const tf2::BufferCore& tf() const { return tf_; }
 
  private:

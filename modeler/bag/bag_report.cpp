@@ -4,6 +4,8 @@
 
 #include <algorithm>
 
+#include "modeler/bag/words.hpp"
+
 namespace ribbon_mapper {
 
 std::size_t BagReport::count(Finding::Weight weight) const {
@@ -18,9 +20,9 @@ std::string BagReport::text() const {
     const char* mark;
   };
   std::string text;
-  for (const Section& section : {Section{Finding::Weight::fact, "         "},
-                                 Section{Finding::Weight::warning, "WARNING  "},
-                                 Section{Finding::Weight::fault, "FAULT    "}}) {
+  for (const Section& section :
+       {Section{Finding::Weight::fact, "         "}, Section{Finding::Weight::warning, "WARNING  "},
+        Section{Finding::Weight::fault, "FAULT    "}}) {
     for (const Finding& finding : findings_) {
       if (finding.weight == section.weight) text += section.mark + finding.text + "\n";
     }
@@ -28,7 +30,7 @@ std::string BagReport::text() const {
   if (!can_be_mapped()) return text + "VERDICT  this cannot be mapped\n";
   const std::size_t warnings = count(Finding::Weight::warning);
   return text + "VERDICT  this can be mapped" +
-         (warnings == 0 ? "" : ", but see " + std::to_string(warnings) + " warnings") + "\n";
+         (warnings == 0 ? "" : ", but see " + counted(warnings, "warning")) + "\n";
 }
 
 }  // namespace ribbon_mapper

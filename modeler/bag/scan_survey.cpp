@@ -55,11 +55,16 @@ void ScanSurvey::add(const sensor_msgs::LaserScan& scan, const ros::Time& record
 void ScanSurvey::look_at_ranges(const sensor_msgs::LaserScan& scan) {
   ranges_ += scan.ranges.size();
   for (const float range_m : scan.ranges) {
-    if (std::isnan(range_m)) ++nan_;
-    else if (std::isinf(range_m)) ++infinite_;
-    else if (range_m == 0.0F) ++zero_;
-    else if (!is_usable(range_m, scan)) ++out_of_range_;
-    else if (some_ranges_m_.size() < kMostSamples) some_ranges_m_.push_back(range_m);
+    if (std::isnan(range_m))
+      ++nan_;
+    else if (std::isinf(range_m))
+      ++infinite_;
+    else if (range_m == 0.0F)
+      ++zero_;
+    else if (!is_usable(range_m, scan))
+      ++out_of_range_;
+    else if (some_ranges_m_.size() < kMostSamples)
+      some_ranges_m_.push_back(range_m);
   }
   look_at_noise(scan);
 }
@@ -69,7 +74,8 @@ void ScanSurvey::look_at_noise(const sensor_msgs::LaserScan& scan) {
   const auto take = [&](float a, float b, float c, std::vector<float>& differences) {
     if (!is_usable(a, scan) || !is_usable(b, scan) || !is_usable(c, scan)) return;
     const float difference = std::abs(a - 2.0F * b + c);
-    if (difference < kEdge_m && differences.size() < kMostSamples) differences.push_back(difference);
+    if (difference < kEdge_m && differences.size() < kMostSamples)
+      differences.push_back(difference);
   };
   for (std::size_t i = 2; i < r.size(); ++i) take(r[i], r[i - 1], r[i - 2], along_m_);
   if (last.size() == r.size() && before.size() == r.size()) {
@@ -94,8 +100,8 @@ double ScanSurvey::noise_m() const {
 void ScanSurvey::report(BagReport& report) const {
   report_stamps(report);
   for (const auto& [defect, count] : defects_) {
-    const std::string text = counted(count, "scan") + " of " + std::to_string(scans_) +
-                             " cannot be used: " + defect;
+    const std::string text =
+        counted(count, "scan") + " of " + std::to_string(scans_) + " cannot be used: " + defect;
     2 * count > scans_ ? report.fault(text) : report.warning(text);
   }
   if (frames_.size() > 1) {
@@ -145,9 +151,9 @@ void ScanSurvey::report_ranges(BagReport& report) const {
     return number(100.0 * static_cast<double>(count) / static_cast<double>(ranges_), 1) + " %";
   };
   const std::size_t usable = ranges_ - nan_ - infinite_ - zero_ - out_of_range_;
-  report.fact("ranges: " + share(usable) + " usable (median " + number(median_range_m(), 2) + " m), " +
-              share(infinite_) + " infinite, " + share(nan_) + " NaN, " + share(zero_) + " zero, " +
-              share(out_of_range_) + " out of the sensor's range");
+  report.fact("ranges: " + share(usable) + " usable (median " + number(median_range_m(), 2) +
+              " m), " + share(infinite_) + " infinite, " + share(nan_) + " NaN, " + share(zero_) +
+              " zero, " + share(out_of_range_) + " out of the sensor's range");
   if (usable == 0) {
     report.fault("not one range is usable: is the laser covered, or its driver broken?");
   } else if (10 * usable < ranges_) {

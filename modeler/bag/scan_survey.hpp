@@ -25,9 +25,9 @@ class ScanSurvey {
   double beam_step_rad() const { return beam_step_rad_; }
   double median_period_s() const;
   double median_range_m() const;  ///< 0 without a usable range
-  /// Noise of a range as second differences tell it, which are noise alone on a plane: of successive
-  /// beams and of successive lines, whichever is more (drivers smooth along a line). Robust against
-  /// edges; 0 if it cannot be told.
+  /// Noise of a range as second differences tell it, which are noise alone on a plane: of
+  /// successive beams and of successive lines, whichever is more (drivers smooth along a line).
+  /// Robust against edges; 0 if it cannot be told.
   double noise_m() const;
 
  private:

@@ -72,11 +72,13 @@ void SweepSurvey::report_tilt(BagReport& report) const {
   const double duration_s = to_seconds(stamps_.back() - stamps_.front());
   if (range_rad < kStillRad) {
     if (base_travel_m_ < kStillM && base_turn_rad_ < kStillRad) {
-      report.fault("the tilt does not move, nor does the robot: one line only is seen. Is the "
-                   "tilt's joint in tf, and was it commanded?");
+      report.fault(
+          "the tilt does not move, nor does the robot: one line only is seen. Is the "
+          "tilt's joint in tf, and was it commanded?");
     } else {
-      report.warning("the tilt does not move: surfaces are seen only where the robot's own motion "
-                     "sweeps the line over them");
+      report.warning(
+          "the tilt does not move: surfaces are seen only where the robot's own motion "
+          "sweeps the line over them");
     }
     return;
   }
@@ -108,12 +110,14 @@ void SweepSurvey::report_spacing(const ScanSurvey& scans, BagReport& report) con
   if (steps_rad.empty() || range_m <= 0.0) return;
   const double spacing_m = step_rad * range_m;
   const std::string facts = "lines are " + degrees(step_rad, 2) + " degrees apart, " +
-                            number(1e3 * spacing_m, 0) + " mm at the median range; the noise of a " +
-                            "range is about " + number(1e3 * noise_m, 0) + " mm";
+                            number(1e3 * spacing_m, 0) +
+                            " mm at the median range; the noise of a " + "range is about " +
+                            number(1e3 * noise_m, 0) + " mm";
   const double beam_spacing_m = scans.beam_step_rad() * range_m;
   if (spacing_m < noise_m) {
-    report.warning(facts + ": closer than the noise. Lines are pooled; a preset with "
-                           "scan.base_line_sigmas 3 (config/urg04lx.yaml) makes the most of them");
+    report.warning(facts +
+                   ": closer than the noise. Lines are pooled; a preset with "
+                   "scan.base_line_sigmas 3 (config/urg04lx.yaml) makes the most of them");
   } else if (beam_spacing_m > 0.025) {
     report.warning(facts + "; beams are " + number(1e3 * beam_spacing_m, 0) +
                    " mm apart: coarse. Use wider cells and neighbourhoods (config/room_scan.yaml)");

@@ -49,9 +49,10 @@ void TfSurvey::report(const Frames& frames, double line_period_s, BagReport& rep
   for (const std::string& frame : {frames.odom, frames.base}) {
     const auto link = links_.find(frame);
     if (link == links_.end()) continue;
-    report.fact("the bag holds " + *link->second.parents.begin() + " -> " + frame + " (" +
-                counted(link->second.transforms, "transform") +
-                "): if a localisation of its own runs on a replay, leave it out with tf_drop_frames");
+    report.fact(
+        "the bag holds " + *link->second.parents.begin() + " -> " + frame + " (" +
+        counted(link->second.transforms, "transform") +
+        "): if a localisation of its own runs on a replay, leave it out with tf_drop_frames");
   }
   report_links(line_period_s, report);
 }

@@ -84,12 +84,13 @@ void report_time_offset(const std::vector<std::filesystem::path>& bags, const Ba
   const std::string total = number(options.intake.scan_time_offset_s + found->offset_s, 3);
   if (std::abs(found->offset_s) < kLeastOffset_s ||
       found->thickness_m > kClearlyThinner * found->thickness_now_m) {
-    report.fact("up and down sweeps agree: no time offset of the laser makes planes clearly thinner");
+    report.fact(
+        "up and down sweeps agree: no time offset of the laser makes planes clearly thinner");
     return;
   }
   report.warning("up and down sweeps do not agree: scan_time_offset " + total +
-                 " would make planes " + number(1e3 * found->thickness_m, 1) + " mm thick instead of " +
-                 number(1e3 * found->thickness_now_m, 1) + " mm");
+                 " would make planes " + number(1e3 * found->thickness_m, 1) +
+                 " mm thick instead of " + number(1e3 * found->thickness_now_m, 1) + " mm");
 }
 
 }  // namespace ribbon_mapper

@@ -14,8 +14,8 @@
 namespace ribbon_mapper {
 
 struct TimeOffset {
-  double offset_s = 0.0;        ///< to be added to the stamps of the scans
-  double thickness_m = 0.0;     ///< of the planes with it: root mean square distance of the points
+  double offset_s = 0.0;         ///< to be added to the stamps of the scans
+  double thickness_m = 0.0;      ///< of the planes with it: root mean square distance of the points
   double thickness_now_m = 0.0;  ///< of the planes as they are
 };
 

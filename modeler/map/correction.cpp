@@ -29,9 +29,9 @@ void require_usable(const std::vector<StampedPose>& trajectory) {
                                   " of the corrected trajectory is not finite or not rigid");
     }
     if (i > 0 && trajectory[i].stamp <= trajectory[i - 1].stamp) {
-      throw std::invalid_argument(
-          "the corrected trajectory's stamps do not increase at pose " + std::to_string(i) +
-          ": each pose needs the stamp of its own time");
+      throw std::invalid_argument("the corrected trajectory's stamps do not increase at pose " +
+                                  std::to_string(i) +
+                                  ": each pose needs the stamp of its own time");
     }
   }
 }

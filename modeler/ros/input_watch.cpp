@@ -28,13 +28,14 @@ std::optional<std::string> clock_fault(bool use_sim_time, const ros::Time& clock
   }
   const double gap_s = newest_stamp.toSec() - clock.toSec();
   if (std::abs(gap_s) < kClockTolerance_s) return std::nullopt;
-  const std::string fact = "scans are stamped " + apart(gap_s) +
-                           (gap_s > 0.0 ? " after" : " before") + " the clock: ";
+  const std::string fact =
+      "scans are stamped " + apart(gap_s) + (gap_s > 0.0 ? " after" : " before") + " the clock: ";
   if (use_sim_time) {
     return fact + "/use_sim_time is true, but the laser's driver stamps by another clock";
   }
-  return fact + "is a bag played without /use_sim_time true and --clock, or is a computer's clock "
-                "not set?";
+  return fact +
+         "is a bag played without /use_sim_time true and --clock, or is a computer's clock "
+         "not set?";
 }
 
 void InputWatch::saw(const sensor_msgs::LaserScan& scan) {

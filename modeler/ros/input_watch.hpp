@@ -25,8 +25,8 @@ class InputWatch {
 
   void saw(const sensor_msgs::LaserScan& scan);
 
-  /// What is missing, in words; empty if lines have come in since the last call and are not held up.
-  /// Asks the master who publishes scans when there are none.
+  /// What is missing, in words; empty if lines have come in since the last call and are not held
+  /// up. Asks the master who publishes scans when there are none.
   std::string complaint(const LineIntake& intake, std::size_t transforms);
 
  private:

@@ -28,7 +28,9 @@ struct Moment {
   ros::WallTime wall;
 
   static Moment now() { return {ros::Time::now(), ros::WallTime::now()}; }
-  static Moment recorded(const ros::Time& time) { return {time, ros::WallTime(time.sec, time.nsec)}; }
+  static Moment recorded(const ros::Time& time) {
+    return {time, ros::WallTime(time.sec, time.nsec)};
+  }
 };
 
 struct IntakeOptions {

@@ -14,8 +14,9 @@ namespace {
 /// Numbers of the fields that are wanted, in the order in which they came.
 using Columns = std::map<std::string, std::vector<double>>;
 
-const std::vector<std::string> kPose{"position.x",    "position.y",    "position.z",   "orientation.w",
-                                     "orientation.x", "orientation.y", "orientation.z"};
+const std::vector<std::string> kPose{"position.x",    "position.y",    "position.z",
+                                     "orientation.w", "orientation.x", "orientation.y",
+                                     "orientation.z"};
 
 Columns read(const std::string& definition, const std::uint8_t* data, std::size_t size) {
   Columns columns;
@@ -43,7 +44,8 @@ std::map<int, Pose> poses_in(Columns& columns, const std::string& prefix) {
     }
     const Eigen::Quaterniond rotation(v[3], v[4], v[5], v[6]);
     if (!(std::abs(rotation.norm() - 1.0) < 0.01)) continue;
-    poses[static_cast<int>(ids[i])] = Eigen::Translation3d(v[0], v[1], v[2]) * rotation.normalized();
+    poses[static_cast<int>(ids[i])] =
+        Eigen::Translation3d(v[0], v[1], v[2]) * rotation.normalized();
   }
   return poses;
 }
@@ -54,7 +56,8 @@ void RtabmapGraph::take(const std::string& definition, const std::uint8_t* data,
   Columns columns = read(definition, data, size);
   const std::vector<double>&ids = columns["nodes.id"], &stamps = columns["nodes.stamp"];
   for (std::size_t i = 0; i < std::min(ids.size(), stamps.size()); ++i) {
-    if (stamps[i] > 0.0 && stamps[i] < 4e9) stamps_[static_cast<int>(ids[i])] = from_seconds(stamps[i]);
+    if (stamps[i] > 0.0 && stamps[i] < 4e9)
+      stamps_[static_cast<int>(ids[i])] = from_seconds(stamps[i]);
   }
   const bool has_nodes = !columns["graph.posesId"].empty();
   std::map<int, Pose> poses = poses_in(columns, has_nodes ? "graph." : "");

@@ -14,9 +14,10 @@
 
 namespace ribbon_mapper {
 
-/// Fills a tf2 buffer from /tf and /tf_static. tf2_ros::TransformListener does so in a thread of its
-/// own with a queue of 100 messages; this one is served with all other callbacks, in order of
-/// arrival, and its queue outlasts a correction that takes seconds, even at several times real time.
+/// Fills a tf2 buffer from /tf and /tf_static. tf2_ros::TransformListener does so in a thread of
+/// its own with a queue of 100 messages; this one is served with all other callbacks, in order of
+/// arrival, and its queue outlasts a correction that takes seconds, even at several times real
+/// time.
 class TfFeed {
  public:
   /// Transforms whose parent is one of `drop_frames` are left out, see enter_transforms().

@@ -28,8 +28,8 @@ void TfHistory::look_up(const tf2::BufferCore& tf) {
   while (!waiting_.empty()) {
     const Waiting& next = waiting_.front();
     try {
-      const Pose T_odom_base = pose_of(
-          tf.lookupTransform(frames_.odom, frames_.base, stamp_of(next.stamp)).transform);
+      const Pose T_odom_base =
+          pose_of(tf.lookupTransform(frames_.odom, frames_.base, stamp_of(next.stamp)).transform);
       if (trajectory_.empty() || next.stamp > trajectory_.back().stamp) {
         trajectory_.push_back({next.stamp, next.T_map_odom * T_odom_base});
       }

@@ -14,8 +14,9 @@
 namespace ribbon_mapper {
 
 /// The trajectory of a localisation that says only where odom is in map (gmapping, amcl,
-/// slam_toolbox): each time it changes its mind, what it says is the truth of that moment. In between
-/// it repeats itself while odometry drifts, so only the changes are poses of the trajectory.
+/// slam_toolbox): each time it changes its mind, what it says is the truth of that moment. In
+/// between it repeats itself while odometry drifts, so only the changes are poses of the
+/// trajectory.
 class TfHistory {
  public:
   explicit TfHistory(const Frames& frames) : frames_(frames) {}

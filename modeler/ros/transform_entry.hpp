@@ -11,8 +11,9 @@
 namespace ribbon_mapper {
 
 /// Enters transforms into a buffer, leading slashes stripped. Those whose parent is one of
-/// `drop_frames` are left out: with `map`, a recorded localisation does not fight one that runs now.
-/// Returns how many were not usable: not finite, no unit quaternion, a frame in itself, or too old.
+/// `drop_frames` are left out: with `map`, a recorded localisation does not fight one that runs
+/// now. Returns how many were not usable: not finite, no unit quaternion, a frame in itself, or too
+/// old.
 std::size_t enter_transforms(const tf2_msgs::TFMessage& message, bool is_static,
                              const std::set<std::string>& drop_frames, tf2::BufferCore& buffer);
 

@@ -21,11 +21,12 @@ class WireReader {
   explicit WireReader(const std::string& definition);
 
   /// A number in a message, by its path without indices: "graph.poses.position.x". Booleans, times
-  /// and durations (in seconds) are numbers, texts are not. Fields come in the order of the message.
+  /// and durations (in seconds) are numbers, texts are not. Fields come in the order of the
+  /// message.
   using Visitor = std::function<void(const std::string& path, double value)>;
 
-  /// Visits all numbers but those of arrays of bytes. Throws std::invalid_argument if the message is
-  /// shorter than its definition demands.
+  /// Visits all numbers but those of arrays of bytes. Throws std::invalid_argument if the message
+  /// is shorter than its definition demands.
   void read(const std::uint8_t* data, std::size_t size, const Visitor& visit) const;
 
  private:

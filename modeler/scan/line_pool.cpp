@@ -55,9 +55,8 @@ void LinePool::add(const LaserBeams& beams, const LinePoses& poses) {
 
 const LaserBeams& LinePool::beams() {
   for (std::size_t i = 0; i < sums_m_.size(); ++i) {
-    beams_.ranges_m[i] = 2u * agreeing_[i] > returns_[i]
-                              ? sums_m_[i] / agreeing_[i]
-                              : std::numeric_limits<float>::infinity();
+    beams_.ranges_m[i] = 2u * agreeing_[i] > returns_[i] ? sums_m_[i] / agreeing_[i]
+                                                         : std::numeric_limits<float>::infinity();
   }
   return beams_;
 }

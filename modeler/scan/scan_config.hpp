@@ -14,15 +14,17 @@ struct ScanConfig {
   double least_range_m = 0.3;
   double most_range_m = 30.0;
 
-  /// Returns on the robot itself are none: a column about the base frame's origin, so far to each side
-  /// [m] and up to this height [m]; 0: no column. PR2: its footprint is a square of 0.65 m, which
-  /// pr2_navigation leaves out at any height, plus 2.5 cm for what sticks out; up to the tilting laser.
+  /// Returns on the robot itself are none: a column about the base frame's origin, so far to each
+  /// side [m] and up to this height [m]; 0: no column. PR2: its footprint is a square of 0.65 m,
+  /// which pr2_navigation leaves out at any height, plus 2.5 cm for what sticks out; up to the
+  /// tilting laser.
   double body_half_size_m = 0.35;
   double body_height_m = 1.0;
 
-  /// Returns in mid-air between two depths are none: those from whose neighbours, one nearer and one
-  /// further, both steps lie within this angle of the beam [deg]; 0: all are kept. What is lost are
-  /// surfaces seen under a smaller angle, which give no ribbons anyway (ribbon.least_incidence_deg).
+  /// Returns in mid-air between two depths are none: those from whose neighbours, one nearer and
+  /// one further, both steps lie within this angle of the beam [deg]; 0: all are kept. What is lost
+  /// are surfaces seen under a smaller angle, which give no ribbons anyway
+  /// (ribbon.least_incidence_deg).
   double veil_angle_deg = 4.0;
 
   /// A line enters the buffer when its beams lie this many range_sigma_m from those of the line

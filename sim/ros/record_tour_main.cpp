@@ -28,7 +28,8 @@ void add_options(CLI::App& app, Options& options) {
   app.add_option("--route", options.route, "route")->required()->check(CLI::ExistingFile);
   app.add_option("--bag", options.bag, "file to write")->required();
   app.add_option("--truth", options.truth, "file for the true poses of the base (TUM)");
-  app.add_option("--keyframes", options.keyframe_step_m, "of the true poses only one each so many m")
+  app.add_option("--keyframes", options.keyframe_step_m,
+                 "of the true poses only one each so many m")
       ->check(CLI::Range(0.0, 1000.0));
   app.add_option("--seed", options.tour.seed, "of all noise")->capture_default_str();
   app.add_option("--drift", options.tour.localisation.drift, "scale of the localisation noise")

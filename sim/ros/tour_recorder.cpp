@@ -25,7 +25,7 @@ class Recorder {
  public:
   explicit Recorder(const std::filesystem::path& file)
       : bag_(file.string(), rosbag::bagmode::Write) {
-    bag_.setCompression(rosbag::compression::BZ2);
+    bag_.setCompression(rosbag::compression::LZ4);
   }
 
   template <typename Message>
@@ -97,8 +97,8 @@ std::vector<StampedPose> keyframes(const std::vector<StampedPose>& trajectory, d
   double way_m = 0.0;
   for (std::size_t i = 0; i < trajectory.size(); ++i) {
     if (i > 0) {
-      way_m += (trajectory[i].T_map_base.translation() -
-                trajectory[i - 1].T_map_base.translation()).norm();
+      way_m += (trajectory[i].T_map_base.translation() - trajectory[i - 1].T_map_base.translation())
+                   .norm();
     }
     if (i > 0 && i + 1 < trajectory.size() && way_m < step_m) continue;
     kept.push_back(trajectory[i]);

@@ -37,8 +37,8 @@ class BagCheck : public testing::Test {
   }
   /// What bag_check itself answers.
   int exit_code() const {
-    return WEXITSTATUS(std::system(
-        (std::string(BAG_CHECK) + " " + file_.string() + " > /dev/null 2>&1").c_str()));
+    return WEXITSTATUS(
+        std::system((std::string(BAG_CHECK) + " " + file_.string() + " > /dev/null 2>&1").c_str()));
   }
 
   TemporaryDirectory directory_;

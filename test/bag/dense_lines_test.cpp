@@ -102,8 +102,8 @@ TEST(DenseLines, ATiltThatStandsStillAddsNothing) {
   Modeler modeler(config());
   std::size_t modelled = 0;
   for (int i = 0; i < 500; ++i) {
-    modelled += modeler.add_scan_line(wall_line(i, 0.1, random), poses_at(0.1)) ==
-                LineResult::modelled;
+    modelled +=
+        modeler.add_scan_line(wall_line(i, 0.1, random), poses_at(0.1)) == LineResult::modelled;
   }
   EXPECT_LE(modelled, 1u);
   EXPECT_EQ(modeler.statistics().ribbons, 0u);
@@ -113,7 +113,8 @@ TEST(DenseLines, ATiltThatStandsStillAddsNothing) {
 TEST(DenseLines, StampsThatGoBackWithinAPoolAreTold) {
   std::mt19937 random(1);
   Modeler modeler(config());
-  for (const int index : {0, 1, 2}) modeler.add_scan_line(wall_line(index, 0.1, random), poses_at(0.1));
+  for (const int index : {0, 1, 2})
+    modeler.add_scan_line(wall_line(index, 0.1, random), poses_at(0.1));
   EXPECT_EQ(modeler.add_scan_line(wall_line(1, 0.1, random), poses_at(0.1)),
             LineResult::out_of_order);
 }

@@ -25,7 +25,8 @@ const fs::path kRoomTruth = PROJECT_DIR "/test/data/small_room.tum";
 
 /// Shared recordings lie beside the repository, or one folder further up.
 fs::path real(const std::string& name) {
-  for (const char* folder : {PROJECT_DIR "/../shared/data/real", PROJECT_DIR "/../../shared/data/real"}) {
+  for (const char* folder :
+       {PROJECT_DIR "/../shared/data/real", PROJECT_DIR "/../../shared/data/real"}) {
     if (fs::exists(fs::path(folder) / name)) return fs::path(folder) / name;
   }
   return {};
@@ -97,7 +98,8 @@ TEST(Offline, KeyframesEachMetreGiveTheModelOfDenseOnes) {
   const TemporaryDirectory directory;
   const sim::World world = sim::World::load(PROJECT_DIR "/test/ros/room.sdf", {});
   sim::TourConfig tour_config;
-  tour_config.localisation.drift = 0.3;  // of wheels with an IMU; 1 is what a particle filter assumes
+  tour_config.localisation.drift =
+      0.3;  // of wheels with an IMU; 1 is what a particle filter assumes
   sim::Tour tour(world, sim::Route::load(PROJECT_DIR "/test/ros/room.route.yaml"), tour_config);
   const fs::path bag = directory.path() / "tour.bag", dense_file = directory.path() / "dense.tum";
   const std::vector<StampedPose> dense = sim::record_tour(tour, {}, bag);

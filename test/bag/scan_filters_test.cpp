@@ -33,7 +33,8 @@ double loss_at(double angle_deg, double veil_angle_deg) {
   for (int run = 0; run < 2000; ++run) {
     std::vector<float> ranges;
     for (int i = -1; i <= 1; ++i) {
-      ranges.push_back(static_cast<float>(distance_m / std::sin(middle + i * kStep_rad) + noise(random)));
+      ranges.push_back(
+          static_cast<float>(distance_m / std::sin(middle + i * kStep_rad) + noise(random)));
     }
     lost += is_veil(beams_with(ranges), 1, config), ++all;
   }
@@ -59,8 +60,9 @@ TEST(Veil, CostsNothingOfPlanesThatRibbonsAreMadeOf) {
   for (const double angle : {2.0, 3.0, 4.0, 5.0, 6.0, 8.0, 10.0, 15.0}) {
     RecordProperty("loss_percent_at_" + std::to_string(static_cast<int>(angle)) + "_deg",
                    std::to_string(100.0 * loss_at(angle, config.veil_angle_deg)));
-    std::printf("plane seen under %4.1f deg: %5.1f %% lost with 4 deg, %5.1f %% with PR2's 10 deg\n",
-                angle, 100.0 * loss_at(angle, 4.0), 100.0 * loss_at(angle, 10.0));
+    std::printf(
+        "plane seen under %4.1f deg: %5.1f %% lost with 4 deg, %5.1f %% with PR2's 10 deg\n", angle,
+        100.0 * loss_at(angle, 4.0), 100.0 * loss_at(angle, 10.0));
   }
 }
 
@@ -69,8 +71,8 @@ TEST(RobotBody, ReturnsOnItAreNone) {
   config.least_range_m = 0.1;
   LinePoses poses;  // the laser 1.05 m up, looking straight down
   for (Pose* pose : {&poses.T_base_laser_first, &poses.T_base_laser_last}) {
-    *pose = Eigen::Translation3d(0.05, 0.0, 1.05) *
-            Eigen::AngleAxisd(M_PI_2, Eigen::Vector3d::UnitY());
+    *pose =
+        Eigen::Translation3d(0.05, 0.0, 1.05) * Eigen::AngleAxisd(M_PI_2, Eigen::Vector3d::UnitY());
   }
   ScanLine line;
   LaserBeams beams = beams_with({0.8F, 0.8F, 0.8F});

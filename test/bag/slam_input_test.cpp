@@ -123,8 +123,9 @@ TEST(RtabmapGraph, JoinsPosesWithTheStampsOfNodes) {
   EXPECT_DOUBLE_EQ(trajectory[0].T_map_base.translation().x(), 1.0);
   EXPECT_DOUBLE_EQ(trajectory[1].T_map_base.translation().x(), 0.0);
   const auto path = bytes_of(nav_msgs::Path());
-  EXPECT_THROW(graph.take(ros::message_traits::definition<nav_msgs::Path>(), path.data(), path.size()),
-               std::invalid_argument);
+  EXPECT_THROW(
+      graph.take(ros::message_traits::definition<nav_msgs::Path>(), path.data(), path.size()),
+      std::invalid_argument);
   EXPECT_EQ(graph.trajectory().size(), 2u);
 }
 

@@ -57,7 +57,8 @@ tf2_msgs::TFMessage WallBag::tf(double seconds) const {
   if (with_map) {
     message.transforms.push_back(transform(slash + "map", slash + "odom_combined", stamp_s));
   }
-  message.transforms.push_back(transform(slash + "odom_combined", slash + "base_footprint", stamp_s));
+  message.transforms.push_back(
+      transform(slash + "odom_combined", slash + "base_footprint", stamp_s));
   message.transforms.push_back(transform(slash + "torso_lift_link", slash + "laser_tilt_link",
                                          stamp_s, 0.0, tilt_at(seconds)));
   return message;

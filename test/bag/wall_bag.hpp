@@ -2,12 +2,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <sensor_msgs/LaserScan.h>
+#include <tf2_msgs/TFMessage.h>
+
 #include <filesystem>
 #include <functional>
 #include <string>
-
-#include <sensor_msgs/LaserScan.h>
-#include <tf2_msgs/TFMessage.h>
 
 namespace ribbon_mapper {
 
@@ -21,7 +21,8 @@ struct WallBag {
   double tilt_rad = 0.3;  ///< to either side, period 2 s
   bool with_tf = true, with_static = true, with_map = true;
   bool static_last = false;
-  double tf_gap_begin_s = -1.0, tf_gap_end_s = -1.0;  ///< no /tf in between, from the first stamp on
+  double tf_gap_begin_s = -1.0,
+         tf_gap_end_s = -1.0;  ///< no /tf in between, from the first stamp on
   bool is_compressed = true;
   std::function<bool(int line, sensor_msgs::LaserScan& scan)> spoil_scan;  ///< false: leave it out
   std::function<void(tf2_msgs::TFMessage& message)> spoil_tf;
