@@ -12,16 +12,19 @@
 #include "modeler/io/calibrated_preset.hpp"
 #include "modeler/io/config_file.hpp"
 #include "modeler/ros/line_intake.hpp"
+#include "modeler/ros/message_conversions.hpp"
 #include "modeler/ros/strict_parameters.hpp"
 #include "modeler/ros/tf_feed.hpp"
+#include "modeler/ros/transform_entry.hpp"
 
 namespace ribbon_mapper {
 namespace {
 
 struct NodeParameters {
   ModelerConfig config;
-  Frames frames;
-  double transform_timeout_s, travel_m;
+  IntakeOptions intake;
+  std::set<std::string> tf_drop_frames;
+  double travel_m;
   std::filesystem::path output;
 
   static NodeParameters read() {
@@ -29,10 +32,13 @@ struct NodeParameters {
     NodeParameters p;
     const std::string config = from.required_text("config", "a YAML file, such as config/pr2.yaml");
     p.output = std::filesystem::absolute(from.required_text("output", "the preset to write"));
-    p.frames.map = from.text("map_frame", p.frames.map);
-    p.frames.odom = from.text("odom_frame", p.frames.odom);
-    p.frames.base = from.text("base_frame", p.frames.base);
-    p.transform_timeout_s = from.number("transform_timeout", 2.0, 0.1, 60.0);
+    Frames& frames = p.intake.frames;
+    frames.map = without_slash(from.text("map_frame", frames.map));
+    frames.odom = without_slash(from.text("odom_frame", frames.odom));
+    frames.base = without_slash(from.text("base_frame", frames.base));
+    p.intake.transform_timeout_s = from.number("transform_timeout", 2.0, 0.1, 60.0);
+    p.intake.scan_time_offset_s = from.number("scan_time_offset", 0.0, -1.0, 1.0);
+    p.tf_drop_frames = frames_from(from.text("tf_drop_frames", ""));
     p.travel_m = from.number("travel", 5.0, 1.0, 100.0);
     from.refuse_unknown();
     p.config = load_config(config);
@@ -47,8 +53,8 @@ class CalibrateNode {
  public:
   explicit CalibrateNode(const NodeParameters& parameters)
       : parameters_(parameters),
-        intake_(parameters.frames, parameters.transform_timeout_s, log_),
-        tf_(node_, 120.0),
+        intake_(parameters.intake, log_),
+        tf_(node_, 120.0, parameters.tf_drop_frames),
         calibrator_(parameters.config) {
     create_directory_for_files(parameters.output.parent_path());  // better now than after the drive
     finish_ = private_node_.advertiseService("finish", &CalibrateNode::on_finish, this);
@@ -64,12 +70,13 @@ class CalibrateNode {
 
  private:
   void on_scan(const sensor_msgs::LaserScan& scan) {
-    intake_.add(scan);
+    intake_.add(scan, Moment::now());
     take_lines();
   }
 
   void take_lines() {
-    while (const std::optional<ReadyLine> line = intake_.next(tf_.buffer())) {
+    const Moment now = Moment::now();
+    while (const std::optional<ReadyLine> line = intake_.next(tf_.buffer(), now)) {
       calibrator_.add(line->beams, line->poses);
     }
     const bool is_over = tour_is_over_ && intake_.waiting() == 0;
@@ -112,7 +119,8 @@ class CalibrateNode {
                calibrator_.has_rested() ? "drive the robot 3 to 5 m before the wall now"
                                         : "let the robot stand before a bare wall");
     } else {
-      ROS_INFO("%.1f m driven", calibrator_.travel_m());
+      ROS_INFO("%.1f m driven, %zu lines dropped %s", calibrator_.travel_m(),
+               log_.dropped_lines(), log_.newest_drop().c_str());
     }
   }
 
