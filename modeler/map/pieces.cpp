@@ -25,6 +25,16 @@ int component_of(const PosedRibbon& ribbon, const Plane& plane,
   return found == components.end() ? 0 : found->second;
 }
 
+/// Beyond a gap, noise cannot have mixed two planes that lie closer together than the gate: the
+/// offset between them must be one of the poses alone (a third of the gate), or as uncertain as
+/// the larger one's slope makes it at this distance.
+bool are_level(const Hypothesis& larger, const Hypothesis& smaller, const AssociationGates& gates) {
+  const Eigen::Vector3d way = smaller.fit().mean - larger.fit().mean;
+  const double error_m = larger.tilt_sigma(way.normalized()) * way.norm();
+  return std::abs(larger.signed_distance(smaller.fit().mean)) <
+         gates.distance_m / 3.0 + 2.0 * error_m;
+}
+
 }  // namespace
 
 std::vector<Hypothesis> split(const Hypothesis& whole, const Plane& plane, double gap_m,
@@ -51,7 +61,7 @@ std::vector<Hypothesis> agreeing(const std::vector<Hypothesis>& pieces,
   for (const Hypothesis& piece : pieces) {
     if (piece.members().empty()) continue;
     const auto group = std::find_if(groups.begin(), groups.end(), [&](const Hypothesis& group_) {
-      return are_one_plane(group_, piece, gates);
+      return are_one_plane(group_, piece, gates) && are_level(group_, piece, gates);
     });
     group == groups.end() ? groups.push_back(piece) : group->absorb(piece);
   }
