@@ -25,14 +25,14 @@ int component_of(const PosedRibbon& ribbon, const Plane& plane,
   return found == components.end() ? 0 : found->second;
 }
 
-/// Beyond a gap, noise cannot have mixed two planes that lie closer together than the gate: the
-/// offset between them must be one of the poses alone (a third of the gate), or as uncertain as
-/// the larger one's slope makes it at this distance.
+/// Beyond a gap, noise cannot have mixed two planes that lie closer together than the gate: what is
+/// left between them is an error of the poses (a third of the gate), or of the larger one's slope,
+/// which grows with the way.
 bool are_level(const Hypothesis& larger, const Hypothesis& smaller, const AssociationGates& gates) {
   const Eigen::Vector3d way = smaller.fit().mean - larger.fit().mean;
   const double error_m = larger.tilt_sigma(way.normalized()) * way.norm();
   return std::abs(larger.signed_distance(smaller.fit().mean)) <
-         gates.distance_m / 3.0 + 2.0 * error_m;
+         std::max(gates.distance_m / 3.0, 2.0 * error_m);
 }
 
 }  // namespace
