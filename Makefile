@@ -30,7 +30,7 @@ bench: ## speed and memory beside the packaged peers, results in results/bench
 	build/devel/lib/ribbon_mapper/bench --output results/bench $(ARGS)
 
 clean: ## forget everything that was built
-	rm -rf build
+	rm -rf build devel
 
 help: ## this list
 	@grep -E '^[a-z]+:.*##' Makefile | sed 's/:.*##/\t/'
