@@ -25,15 +25,18 @@ int component_of(const PosedRibbon& ribbon, const Plane& plane,
   return found == components.end() ? 0 : found->second;
 }
 
-/// Beyond a gap, noise cannot have mixed two planes that lie closer together than the gate: what is
-/// left between them is an error of the poses (a third of the gate), or of the larger one's slope,
-/// which grows with the way.
+/// Noise cannot have mixed two planes that lie closer together than the gate if there is a gap
+/// between them: what is left is an error of the poses (a third of the gate), or of the larger one's
+/// slope, which grows with the way.
 bool are_level(const Hypothesis& larger, const Hypothesis& smaller, const AssociationGates& gates) {
   const Eigen::Vector3d way = smaller.fit().mean - larger.fit().mean;
   const double error_m = larger.tilt_sigma(way.normalized()) * way.norm();
   return std::abs(larger.signed_distance(smaller.fit().mean)) <
          std::max(gates.distance_m / 3.0, 2.0 * error_m);
 }
+
+/// Length of a strip with the same variance.
+double length_m(const Hypothesis& piece) { return std::sqrt(12.0 * piece.fit().variances[2]); }
 
 }  // namespace
 
@@ -56,12 +59,13 @@ std::vector<Hypothesis> split(const Hypothesis& whole, const Plane& plane, doubl
 }
 
 std::vector<Hypothesis> agreeing(const std::vector<Hypothesis>& pieces,
-                                 const AssociationGates& gates) {
+                                 const AssociationGates& gates, double thing_m) {
   std::vector<Hypothesis> groups;
   for (const Hypothesis& piece : pieces) {
     if (piece.members().empty()) continue;
     const auto group = std::find_if(groups.begin(), groups.end(), [&](const Hypothesis& group_) {
-      return are_one_plane(group_, piece, gates) && are_level(group_, piece, gates);
+      return are_one_plane(group_, piece, gates) &&
+             (length_m(piece) > thing_m || are_level(group_, piece, gates));
     });
     group == groups.end() ? groups.push_back(piece) : group->absorb(piece);
   }

@@ -16,8 +16,9 @@ std::vector<Hypothesis> split(const Hypothesis& whole, const Plane& plane, doubl
                               const Evidence& evidence);
 
 /// Two things side by side may have passed for one plane that is tilted a little: pieces with a gap
-/// between them stay together only if each by itself says so.
+/// between them stay together only if each by itself says so. Of pieces up to `thing_m` long, which
+/// may be things of their own, it is asked that they are level with the rest.
 std::vector<Hypothesis> agreeing(const std::vector<Hypothesis>& pieces,
-                                 const AssociationGates& gates);
+                                 const AssociationGates& gates, double thing_m);
 
 }  // namespace ribbon_mapper

@@ -3,6 +3,7 @@
 #include "modeler/map/plane_builder.hpp"
 
 #include <algorithm>
+#include <optional>
 
 #include "modeler/map/bevel.hpp"
 #include "modeler/map/curvature.hpp"
@@ -80,6 +81,54 @@ std::vector<Plane> finished(const std::vector<Surface>& surfaces, double least_a
   return planes;
 }
 
+/// Takes hypotheses apart and collects the surfaces of what belongs together.
+class Assembly {
+ public:
+  Assembly(const AssociationGates& gates, const Evidence& evidence, const PlaneMapConfig& config)
+      : gates_(gates),
+        evidence_(evidence),
+        config_(config),
+        // Small ones, too: points that lie on them are not to be given to others.
+        least_m2_(std::min(config.confirmed_area_m2, config.least_area_m2)) {}
+
+  void add(const Hypothesis& whole) {
+    std::optional<Surface> surface = surface_of(whole);
+    if (!surface) return;
+    const auto pieces = split(whole, surface->plane(), config_.stripe_gap_m, evidence_);
+    if (pieces.size() == 1) return surfaces_.push_back(std::move(*surface));
+    const auto groups = agreeing(pieces, gates_, config_.bridged_gap_m);
+    if (groups.size() == 1) return add_connected(whole, std::move(*surface));
+    for (const Hypothesis& group : groups) {
+      if (auto grouped = surface_of(group)) add_connected(group, std::move(*grouped));
+    }
+  }
+
+  std::vector<Surface> take() { return std::move(surfaces_); }
+
+ private:
+  /// Nothing if it is too small to matter.
+  std::optional<Surface> surface_of(const Hypothesis& hypothesis) const {
+    if (!is_promising(least_m2_, hypothesis, evidence_, config_)) return std::nullopt;
+    Surface surface(hypothesis, evidence_, config_);
+    if (surface.plane().area_m2 < least_m2_) return std::nullopt;
+    return surface;
+  }
+
+  void add_connected(const Hypothesis& group, Surface surface) {
+    const auto parts = split(group, surface.plane(), config_.bridged_gap_m, evidence_);
+    if (parts.size() == 1) return surfaces_.push_back(std::move(surface));
+    for (const Hypothesis& part : parts) {
+      if (auto connected = surface_of(part)) surfaces_.push_back(std::move(*connected));
+    }
+  }
+
+  const AssociationGates& gates_;
+  const Evidence& evidence_;
+  const PlaneMapConfig& config_;
+  double least_m2_;
+  std::vector<Surface> surfaces_;
+};
+
 }  // namespace
 
 std::vector<Plane> confirmed_planes(const std::vector<Hypothesis>& hypotheses,
@@ -95,26 +144,9 @@ std::vector<Plane> confirmed_planes(const std::vector<Hypothesis>& hypotheses,
 std::vector<Plane> filtered_planes(const std::vector<Hypothesis>& hypotheses,
                                    const AssociationGates& gates, const Evidence& evidence,
                                    const PlaneMapConfig& config) {
-  // Small ones, too: points that lie on them are not to be given to others.
-  const double least_m2 = std::min(config.confirmed_area_m2, config.least_area_m2);
-  std::vector<Surface> surfaces;
-  for (const Hypothesis& whole : hypotheses) {
-    if (!is_promising(least_m2, whole, evidence, config)) continue;
-    const Surface rough(whole, evidence, config);
-    if (rough.plane().area_m2 < least_m2) continue;
-    const auto pieces = split(whole, rough.plane(), config.stripe_gap_m, evidence);
-    for (const Hypothesis& group : agreeing(pieces, gates)) {
-      if (!is_promising(least_m2, group, evidence, config)) continue;
-      const Surface grouped(group, evidence, config);
-      for (const Hypothesis& part :
-           split(group, grouped.plane(), config.bridged_gap_m, evidence)) {
-        if (!is_promising(least_m2, part, evidence, config)) continue;
-        Surface surface(part, evidence, config);
-        if (surface.plane().area_m2 >= least_m2) surfaces.push_back(std::move(surface));
-      }
-    }
-  }
-  surfaces = without_bevels(std::move(surfaces), config);
+  Assembly assembly(gates, evidence, config);
+  for (const Hypothesis& hypothesis : hypotheses) assembly.add(hypothesis);
+  std::vector<Surface> surfaces = without_bevels(assembly.take(), config);
   take_strays(evidence, config, surfaces);
   surfaces.erase(std::remove_if(surfaces.begin(), surfaces.end(),
                                 [&](const Surface& surface) {

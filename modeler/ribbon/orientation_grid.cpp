@@ -30,15 +30,15 @@ std::size_t OrientationGrid::cell_of(const Eigen::Vector3d& normal) const {
   return first_cell_[row] + std::min(cells - 1, static_cast<std::size_t>(turn * cells));
 }
 
-void OrientationGrid::vote(const Eigen::Vector3d& normal, double area_m2) {
+std::size_t OrientationGrid::vote(const Eigen::Vector3d& normal, double area_m2) {
   const std::size_t cell = cell_of(normal);
   if (votes_[cell] == 0.0) touched_.push_back(cell);
   votes_[cell] += area_m2;
   normals_[cell] += area_m2 * normal;
+  return cell;
 }
 
-void OrientationGrid::withdraw(const Eigen::Vector3d& normal, double area_m2) {
-  const std::size_t cell = cell_of(normal);
+void OrientationGrid::withdraw(std::size_t cell, const Eigen::Vector3d& normal, double area_m2) {
   votes_[cell] -= area_m2;
   normals_[cell] -= area_m2 * normal;
 }

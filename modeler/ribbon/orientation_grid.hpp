@@ -19,8 +19,9 @@ class OrientationGrid {
   std::size_t cell_count() const { return votes_.size(); }
   std::size_t cell_of(const Eigen::Vector3d& unit_normal) const;
 
-  void vote(const Eigen::Vector3d& unit_normal, double area_m2);
-  void withdraw(const Eigen::Vector3d& unit_normal, double area_m2);
+  /// Returns the cell, by which the vote can be withdrawn.
+  std::size_t vote(const Eigen::Vector3d& unit_normal, double area_m2);
+  void withdraw(std::size_t cell, const Eigen::Vector3d& unit_normal, double area_m2);
   void clear();
 
   struct Peak {

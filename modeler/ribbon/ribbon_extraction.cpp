@@ -49,8 +49,10 @@ void RibbonExtraction::cluster_orientations() {
   cluster_.assign(surfels_.size(), no_cluster);
   clusters_ = 0;
   grid_.clear();
-  for (const Surfel& surfel : surfels_) grid_.vote(surfel.normal, surfel.area_m2);
-  std::vector<char> voted(surfels_.size(), 1);
+  voted_for_.clear();
+  for (const Surfel& surfel : surfels_) {
+    voted_for_.push_back(grid_.vote(surfel.normal, surfel.area_m2));
+  }
   const double least_cosine = std::cos(config_.cluster_angle_deg * degree);
   for (;;) {
     OrientationGrid::Peak peak = grid_.peak();
@@ -62,7 +64,7 @@ void RibbonExtraction::cluster_orientations() {
       area_m2 = 0.0;
       Eigen::Vector3d sum = Eigen::Vector3d::Zero();
       for (std::size_t i = 0; i < surfels_.size(); ++i) {
-        if (!voted[i] || surfels_[i].normal.dot(mean) < least_cosine) continue;
+        if (voted_for_[i] == withdrawn || surfels_[i].normal.dot(mean) < least_cosine) continue;
         members_.push_back(i);
         area_m2 += surfels_[i].area_m2;
         sum += surfels_[i].area_m2 * surfels_[i].normal;
@@ -71,8 +73,8 @@ void RibbonExtraction::cluster_orientations() {
       mean = sum.normalized();
     }
     for (const std::size_t i : members_) {
-      voted[i] = 0;
-      grid_.withdraw(surfels_[i].normal, surfels_[i].area_m2);
+      grid_.withdraw(voted_for_[i], surfels_[i].normal, surfels_[i].area_m2);
+      voted_for_[i] = withdrawn;
     }
     cluster_normal_ = mean;
     if (area_m2 >= config_.least_cluster_area_m2) split_by_distance(members_);

@@ -26,6 +26,7 @@ class RibbonExtraction {
 
  private:
   static constexpr int no_cluster = -1;
+  static constexpr auto withdrawn = static_cast<std::size_t>(-1);
   struct Run {
     std::size_t begin, end;  // beams of the middle line
     double area_m2;
@@ -44,6 +45,7 @@ class RibbonExtraction {
   RibbonConfig config_;
   OrientationGrid grid_;
   std::vector<Surfel> surfels_;
+  std::vector<std::size_t> voted_for_;  // of each surfel, the cell
   std::vector<int> cluster_;          // of each surfel
   std::vector<std::size_t> members_;  // scratch
   int clusters_ = 0;

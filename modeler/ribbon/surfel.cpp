@@ -59,8 +59,7 @@ double surfel_area_m2(const LineBuffer& buffer, std::size_t beam) {
   const Eigen::Vector3d& before = buffer.previous().directions[beam];
   const Eigen::Vector3d& after = buffer.next().directions[beam];
   const double half_step_sine = 0.25 * (after - before).norm();  // chord of two steps
-  return 4.0 * range * range * half_step_sine *
-         std::sin(0.5 * std::abs(buffer.middle().angle_increment_rad));
+  return 4.0 * range * range * half_step_sine * buffer.middle().half_increment_sine;
 }
 
 void estimate_surfels(const LineBuffer& buffer, const ScanConfig& scan, const RibbonConfig& config,

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 
 namespace ribbon_mapper {
 namespace {
@@ -28,8 +29,8 @@ class LaserMotion {
 
   Eigen::Vector3d origin(double s) const { return middle_.translation() + s * travel_; }
 
-  Eigen::Vector3d direction(double s, double angle_rad) const {
-    const Eigen::Vector2d beam(std::cos(angle_rad), std::sin(angle_rad));
+  /// `beam`: direction in the scan plane.
+  Eigen::Vector3d direction(double s, const Eigen::Vector2d& beam) const {
     return middle_.linear().leftCols<2>() * beam +
            s * (first_order_ * beam + s * (second_order_ * beam));
   }
@@ -38,6 +39,34 @@ class LaserMotion {
   Pose middle_;
   Eigen::Vector3d travel_;
   Eigen::Matrix<double, 3, 2> first_order_, second_order_;
+};
+
+/// Directions in the scan plane of one beam after the other: each turned from the one before, and
+/// computed afresh before rounding adds up to 1e-14.
+class BeamFan {
+ public:
+  explicit BeamFan(const LaserBeams& beams)
+      : beams_(beams),
+        turn_(std::cos(beams.angle_increment_rad), std::sin(beams.angle_increment_rad)) {}
+
+  Eigen::Vector2d next() {
+    if (index_ % kTurns == 0) {
+      const double angle_rad = beams_.angle_min_rad + index_ * beams_.angle_increment_rad;
+      beam_ = {std::cos(angle_rad), std::sin(angle_rad)};
+    } else {
+      beam_ = {turn_.x() * beam_.x() - turn_.y() * beam_.y(),
+               turn_.y() * beam_.x() + turn_.x() * beam_.y()};
+    }
+    ++index_;
+    return beam_;
+  }
+
+ private:
+  static constexpr std::size_t kTurns = 32;
+
+  const LaserBeams& beams_;
+  Eigen::Vector2d turn_, beam_{1.0, 0.0};
+  std::size_t index_ = 0;
 };
 
 void resize(ScanLine& line, std::size_t size) {
@@ -97,18 +126,21 @@ class RobotBody {
 
 }  // namespace
 
-bool is_veil(const LaserBeams& beams, std::size_t beam, const ScanConfig& config) {
-  if (config.veil_angle_deg <= 0.0 || beam == 0 || beam + 1 >= beams.ranges_m.size()) return false;
+double veil_step_per_range(const LaserBeams& beams, const ScanConfig& config) {
+  if (config.veil_angle_deg <= 0.0) return std::numeric_limits<double>::infinity();
+  return std::sin(std::abs(beams.angle_increment_rad)) / std::tan(config.veil_angle_deg * degree);
+}
+
+bool is_veil(const LaserBeams& beams, std::size_t beam, const ScanConfig& config,
+             double step_per_range) {
+  if (beam == 0 || beam + 1 >= beams.ranges_m.size()) return false;
   const std::array<double, 3> r{beams.ranges_m[beam - 1], beams.ranges_m[beam],
                                 beams.ranges_m[beam + 1]};
-  if ((r[1] - r[0]) * (r[2] - r[1]) <= 0.0) return false;
-  if (!is_return(beams.ranges_m[beam - 1], beams, config)) return false;
-  if (!is_return(beams.ranges_m[beam + 1], beams, config)) return false;
-  // The angle between beam and step is below the limit if the step's depth is more than this.
-  const double per_range = std::sin(std::abs(beams.angle_increment_rad)) /
-                           std::tan(config.veil_angle_deg * degree);
-  return std::abs(r[1] - r[0]) > per_range * std::min(r[0], r[1]) &&
-         std::abs(r[2] - r[1]) > per_range * std::min(r[1], r[2]);
+  return (r[1] - r[0]) * (r[2] - r[1]) > 0.0 &&
+         std::abs(r[1] - r[0]) > step_per_range * std::min(r[0], r[1]) &&
+         std::abs(r[2] - r[1]) > step_per_range * std::min(r[1], r[2]) &&
+         is_return(beams.ranges_m[beam - 1], beams, config) &&
+         is_return(beams.ranges_m[beam + 1], beams, config);
 }
 
 bool is_return(float range_m, const LaserBeams& beams, const ScanConfig& config) {
@@ -142,20 +174,25 @@ void place_beams(const LaserBeams& beams, const LinePoses& poses, const ScanConf
   line.stamp = middle_of(beams);
   line.T_map_base = poses.T_map_base;
   line.T_odom_base = interpolate(poses.T_odom_base_first, poses.T_odom_base_last, 0.5);
+  line.half_increment_sine = std::sin(0.5 * std::abs(beams.angle_increment_rad));
   line.angle_increment_rad = beams.angle_increment_rad;
   line.pooled_lines = 1;
   const std::size_t size = beams.ranges_m.size();
   resize(line, size);
   const double step = size > 1 ? 1.0 / (size - 1.0) : 0.0;
   const RobotBody body(line, config);
+  BeamFan fan(beams);
+  const double veil_step = veil_step_per_range(beams, config);
   Moments sum;
   for (std::size_t i = 0; i < size; ++i) {
     const double s = config.deskew ? i * step - 0.5 : 0.0;
     line.origins[i] = motion.origin(s);
-    line.directions[i] =
-        motion.direction(s, beams.angle_min_rad + i * beams.angle_increment_rad);
+    line.directions[i] = motion.direction(s, fan.next());
     line.before[i] = sum;
-    if (!is_return(beams.ranges_m[i], beams, config) || is_veil(beams, i, config)) continue;
+    if (!is_return(beams.ranges_m[i], beams, config) ||
+        is_veil(beams, i, config, veil_step)) {
+      continue;
+    }
     line.points[i] = line.origins[i] + beams.ranges_m[i] * line.directions[i];
     if (body.holds(line.points[i])) continue;
     line.ranges_m[i] = beams.ranges_m[i];

@@ -22,6 +22,7 @@ struct ScanLine {
   Pose T_map_base = Pose::Identity();   ///< acquisition pose
   Pose T_odom_base = Pose::Identity();  ///< at the same time
   double angle_increment_rad = 0.0;
+  double half_increment_sine = 0.0;  ///< sin(dtheta / 2) of eq. 2
   std::size_t pooled_lines = 1;  ///< that this one is the mean of
   std::vector<float> ranges_m;           ///< 0: no return
   std::vector<Eigen::Vector3d> origins;  ///< of each beam, odom
@@ -41,7 +42,12 @@ struct ScanLine {
 bool is_return(float range_m, const LaserBeams& beams, const ScanConfig& config);
 
 /// True if a return hangs in mid-air between two depths, see ScanConfig::veil_angle_deg.
-bool is_veil(const LaserBeams& beams, std::size_t beam, const ScanConfig& config);
+bool is_veil(const LaserBeams& beams, std::size_t beam, const ScanConfig& config,
+             double step_per_range);
+
+/// Of beams that meet a surface under the veil angle, the step in range per metre of range: an angle
+/// below it makes a larger one. Infinite if veils are kept.
+double veil_step_per_range(const LaserBeams& beams, const ScanConfig& config);
 
 /// What is wrong with the beams or the poses of a line; nothing if they are usable.
 std::optional<std::string> defect_of(const LaserBeams& beams, const LinePoses& poses);

@@ -22,6 +22,10 @@ LaserBeams beams_with(std::vector<float> ranges_m) {
   return beams;
 }
 
+bool middle_is_veil(const LaserBeams& beams, const ScanConfig& config) {
+  return is_veil(beams, 1, config, veil_step_per_range(beams, config));
+}
+
 /// Share of the returns of a plane that are taken for a veil, seen under about that angle at 3 m.
 double loss_at(double angle_deg, double veil_angle_deg) {
   ScanConfig config;
@@ -36,21 +40,21 @@ double loss_at(double angle_deg, double veil_angle_deg) {
       ranges.push_back(
           static_cast<float>(distance_m / std::sin(middle + i * kStep_rad) + noise(random)));
     }
-    lost += is_veil(beams_with(ranges), 1, config), ++all;
+    lost += middle_is_veil(beams_with(ranges), config), ++all;
   }
   return static_cast<double>(lost) / static_cast<double>(all);
 }
 
 TEST(Veil, WhatHangsBetweenTwoDepthsIsNone) {
   const ScanConfig config;
-  EXPECT_TRUE(is_veil(beams_with({2.0F, 2.5F, 3.0F}), 1, config));
-  EXPECT_TRUE(is_veil(beams_with({3.0F, 2.5F, 2.0F}), 1, config));
-  EXPECT_FALSE(is_veil(beams_with({2.0F, 2.0F, 3.0F}), 1, config)) << "an edge";
-  EXPECT_FALSE(is_veil(beams_with({2.0F, 2.5F, 2.0F}), 1, config)) << "a thin thing";
-  EXPECT_FALSE(is_veil(beams_with({2.0F, 2.5F, INFINITY}), 1, config));
+  EXPECT_TRUE(middle_is_veil(beams_with({2.0F, 2.5F, 3.0F}), config));
+  EXPECT_TRUE(middle_is_veil(beams_with({3.0F, 2.5F, 2.0F}), config));
+  EXPECT_FALSE(middle_is_veil(beams_with({2.0F, 2.0F, 3.0F}), config)) << "an edge";
+  EXPECT_FALSE(middle_is_veil(beams_with({2.0F, 2.5F, 2.0F}), config)) << "a thin thing";
+  EXPECT_FALSE(middle_is_veil(beams_with({2.0F, 2.5F, INFINITY}), config));
   ScanConfig off;
   off.veil_angle_deg = 0.0;
-  EXPECT_FALSE(is_veil(beams_with({2.0F, 2.5F, 3.0F}), 1, off));
+  EXPECT_FALSE(middle_is_veil(beams_with({2.0F, 2.5F, 3.0F}), off));
 }
 
 TEST(Veil, CostsNothingOfPlanesThatRibbonsAreMadeOf) {

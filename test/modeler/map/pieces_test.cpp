@@ -42,12 +42,18 @@ TEST(Split, AtGapsThatAreTooWide) {
 
 TEST(Agreeing, PiecesStayTogetherIfEachSaysSo) {
   const AssociationGates gates{2.0, 0.03};
-  EXPECT_EQ(1u, agreeing(pieces_of(two_patches(0.0), 0.3), gates).size());
-  EXPECT_EQ(1u, agreeing(pieces_of(two_patches(0.02), 0.3), gates).size());
-  const auto groups = agreeing(pieces_of(two_patches(0.06), 0.3), gates);
+  EXPECT_EQ(1u, agreeing(pieces_of(two_patches(0.0), 0.3), gates, 0.5).size());
+  EXPECT_EQ(1u, agreeing(pieces_of(two_patches(0.02), 0.3), gates, 0.5).size());
+  const auto groups = agreeing(pieces_of(two_patches(0.06), 0.3), gates, 0.5);
   ASSERT_EQ(2u, groups.size());
   EXPECT_NEAR(1.0, groups[1].normal().z(), 1e-9);  // neither is tilted any more
   EXPECT_NEAR(-0.06, groups[1].d_m(), 1e-6);
+}
+
+TEST(Agreeing, ThingsMustBeLevel) {
+  const AssociationGates gates{2.0, 0.03};
+  EXPECT_EQ(1u, agreeing(pieces_of(two_patches(0.005), 0.3), gates, 2.0).size());
+  EXPECT_EQ(2u, agreeing(pieces_of(two_patches(0.02), 0.3), gates, 2.0).size());
 }
 
 }  // namespace

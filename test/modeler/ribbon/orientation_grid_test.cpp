@@ -119,11 +119,12 @@ TEST(OrientationGrid, VotesCountByArea) {
 
 TEST(OrientationGrid, VotesThatAreWithdrawnAreGone) {
   OrientationGrid grid(cell_deg);
-  grid.vote(Eigen::Vector3d::UnitX(), 0.5);
-  grid.vote(Eigen::Vector3d::UnitY(), 0.25);
-  grid.withdraw(Eigen::Vector3d::UnitX(), 0.5);
+  const std::size_t x = grid.vote(Eigen::Vector3d::UnitX(), 0.5);
+  const std::size_t y = grid.vote(Eigen::Vector3d::UnitY(), 0.25);
+  EXPECT_EQ(grid.cell_of(Eigen::Vector3d::UnitX()), x);
+  grid.withdraw(x, Eigen::Vector3d::UnitX(), 0.5);
   EXPECT_GT(grid.peak().normal.y(), 0.999);
-  grid.withdraw(Eigen::Vector3d::UnitY(), 0.25);
+  grid.withdraw(y, Eigen::Vector3d::UnitY(), 0.25);
   EXPECT_EQ(0.0, grid.peak().area_m2);
   grid.vote(Eigen::Vector3d::UnitX(), 0.5);
   grid.clear();
