@@ -27,7 +27,7 @@ bench: ## speed and memory beside the packaged peers, results in results/bench
 	cmake -S . -B build -DRIBBON_MAPPER_BENCH=ON \
 	  -DPYTHON_EXECUTABLE=/usr/bin/python3 -DPython3_EXECUTABLE=/usr/bin/python3
 	cmake --build build --target bench -j $(JOBS)
-	build/devel/lib/ribbon_mapper/bench --output results/bench $(ARGS)
+	build/devel/lib/ribbon_mapper/bench $(ARGS)
 
 clean: ## forget everything that was built
 	rm -rf build devel

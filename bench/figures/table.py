@@ -30,8 +30,10 @@ def duration(seconds):
     return f'{1e9 * seconds:.3g} ns'
 
 
-def cell(value, form='{:.3g}'):
-    return '' if value is None else form.format(value)
+def cell(value, digits=3):
+    if value is None:
+        return ''
+    return f'{value:.0f}' if abs(value) >= 1000 or digits == 0 else f'{value:.{digits}g}'
 
 
 def bars_table(summary):
@@ -58,7 +60,7 @@ def section_table(section, rows):
     for row in rows:
         time = '' if row['seconds'] is None else duration(row['seconds'])
         lines.append(f'| {row["name"]} | {time} | {cell(row["ns_per_item"])} | '
-                     f'{cell(row["over_ours"])} | {cell(row["peak_mb"], "{:.0f}")} | '
+                     f'{cell(row["over_ours"])} | {cell(row["peak_mb"], 0)} | '
                      f'{row["accuracy"]} |')
     return lines
 

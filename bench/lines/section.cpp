@@ -40,9 +40,8 @@ Row row_of(const Recording& tour, const LineTimes& times, double solve_ns) {
 
 void measure_lines(const Inputs& inputs, Report& report) {
   const auto covariances = covariances_of(sample_buffers(inputs.tour, inputs.config, 16));
-  // The unit is measured before, between and after the lines: the machine's moods hit both.
+  // The unit is measured before and after the lines: the machine's moods hit both.
   std::vector<double> solves;
-  std::vector<LineTimes> runs;
   const auto solve = [&] { solves.push_back(eigen_solve_ns(covariances)); };
   for (int i = 0; i < 20; ++i) solve();
   const LineTimes times = median_line_times(inputs.tour, inputs.config, inputs.options.repetitions);

@@ -1,6 +1,5 @@
 // SPDX-FileCopyrightText: 2026 ribbon_mapper authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include <map>
 #include <memory>
 
 #include "bench/normals/normals_peer.hpp"

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <cstdio>
 #include <limits>
+#include <map>
 
 #include "bench/micro.hpp"
 #include "bench/normals/normals_peer.hpp"
