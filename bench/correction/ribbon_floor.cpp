@@ -2,48 +2,30 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "bench/correction/ribbon_floor.hpp"
 
-#include "modeler/ribbon/ribbon_extraction.hpp"
-#include "modeler/scan/line_buffer.hpp"
-
 namespace ribbon_mapper::bench {
 
-RibbonFloor::RibbonFloor(const Recording& tour, const ModelerConfig& config) {
-  LineBuffer buffer;
-  RibbonExtraction extraction(config.scan, config.ribbon);
-  const double least_m = config.scan.base_line_sigmas * config.scan.range_sigma_m;
-  std::uint32_t newest = 0;
-  for (std::uint32_t i = 0; i < tour.lines.size(); ++i) {
-    place_beams(tour.lines[i].beams, tour.lines[i].poses, config.scan, buffer.incoming());
-    if (buffer.newest_line() && base_line_m(*buffer.newest_line(), buffer.incoming()) < least_m) {
-      continue;
-    }
-    buffer.push();
-    const std::uint32_t middle = newest;
-    newest = i;
-    if (!buffer.is_full()) continue;
-    for (const Ribbon& ribbon : extraction.extract(buffer)) {
-      const double w = ribbon.moments.weight();
-      const Eigen::Vector3d mean = ribbon.moments.mean(), sum = w * mean;
-      const Eigen::Matrix3d m = w * (ribbon.moments.covariance() + mean * mean.transpose());
-      const auto first = static_cast<std::uint32_t>(sample_points_.size());
-      for (const RibbonSample& sample : ribbon.samples) sample_points_.push_back(sample.point);
-      sources_.push_back(
-          {{w, sum.x(), sum.y(), sum.z(), m(0, 0), m(0, 1), m(0, 2), m(1, 1), m(1, 2), m(2, 2)},
-           middle,
-           first,
-           static_cast<std::uint32_t>(sample_points_.size())});
-    }
+RibbonFloor::RibbonFloor(const Modeler& modeler) {
+  for (const Ribbon& ribbon : modeler.ribbons()) {
+    const double w = ribbon.moments.weight();
+    const Eigen::Vector3d mean = ribbon.moments.mean(), sum = w * mean;
+    const Eigen::Matrix3d m = w * (ribbon.moments.covariance() + mean * mean.transpose());
+    const auto first = static_cast<std::uint32_t>(sample_points_.size());
+    for (const RibbonSample& sample : ribbon.samples) sample_points_.push_back(sample.point);
+    sources_.push_back({{w, sum.x(), sum.y(), sum.z(), m(0, 0), m(0, 1), m(0, 2), m(1, 1), m(1, 2),
+                         m(2, 2)},
+                        ribbon.pose, first, static_cast<std::uint32_t>(sample_points_.size())});
   }
   moved_sums_.resize(sources_.size());
   moved_points_.resize(sample_points_.size());
 }
 
-void RibbonFloor::move(const std::vector<Pose>& T_map_base) {
+void RibbonFloor::move(const std::vector<StampedPose>& trajectory) {
   for (std::size_t i = 0; i < sources_.size(); ++i) {
     const Source& source = sources_[i];
     const Sums& s = source.sums;
-    const Eigen::Matrix3d R = T_map_base[source.line].linear();
-    const Eigen::Vector3d t = T_map_base[source.line].translation();
+    const Pose& T_map_base = trajectory[source.pose].T_map_base;
+    const Eigen::Matrix3d R = T_map_base.linear();
+    const Eigen::Vector3d t = T_map_base.translation();
     Eigen::Matrix3d m;
     m << s.xx, s.xy, s.xz, s.xy, s.yy, s.yz, s.xz, s.yz, s.zz;
     const Eigen::Vector3d rotated = R * Eigen::Vector3d(s.x, s.y, s.z);

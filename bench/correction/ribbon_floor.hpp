@@ -6,8 +6,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "bench/recording/recording.hpp"
-#include "modeler/modeler_config.hpp"
+#include "modeler/modeler.hpp"
 
 namespace ribbon_mapper::bench {
 
@@ -15,14 +14,14 @@ namespace ribbon_mapper::bench {
 /// where its acquisition pose is now. Packed as tightly as can be.
 class RibbonFloor {
  public:
-  /// Extracts the ribbons of a tour as the modeler does.
-  RibbonFloor(const Recording& tour, const ModelerConfig& config);
+  /// The ribbons of a model.
+  explicit RibbonFloor(const Modeler& modeler);
 
   std::size_t ribbons() const { return sources_.size(); }
   std::size_t samples() const { return sample_points_.size(); }
 
-  /// The work itself; `T_map_base` by line of the tour.
-  void move(const std::vector<Pose>& T_map_base);
+  /// The work itself; the trajectory is that of the model.
+  void move(const std::vector<StampedPose>& trajectory);
 
  private:
   struct Sums {
@@ -30,7 +29,7 @@ class RibbonFloor {
   };
   struct Source {
     Sums sums;
-    std::uint32_t line, first_sample, end_sample;
+    std::uint32_t pose, first_sample, end_sample;
   };
   std::vector<Source> sources_;
   std::vector<Eigen::Vector3f> sample_points_;

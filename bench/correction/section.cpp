@@ -123,18 +123,14 @@ class Section {
   Report& report_;
 };
 
-/// Seconds of the floor; it must have met the very ribbons that the model has.
-double floor_s(const Inputs& inputs, std::size_t ribbons, Report& report) {
-  RibbonFloor floor(inputs.tour, inputs.config);
-  if (floor.ribbons() != ribbons) {
-    throw std::runtime_error("the floor has " + std::to_string(floor.ribbons()) +
-                             " ribbons, the model " + std::to_string(ribbons) +
-                             ": bench/correction/ribbon_floor.cpp must feed lines as Modeler does");
-  }
-  std::vector<Pose> poses;
-  for (const RecordedLine& line : inputs.tour.lines) poses.push_back(line.T_map_base_true);
+double floor_s(const Inputs& inputs, Report& report) {
+  Modeler modeler(inputs.config);
+  feed(inputs.tour, modeler);
+  RibbonFloor floor(modeler);
   std::vector<double> seconds;
-  for (int i = 0; i < 21; ++i) seconds.push_back(seconds_of([&] { floor.move(poses); }));
+  for (int i = 0; i < 21; ++i) {
+    seconds.push_back(seconds_of([&] { floor.move(modeler.trajectory()); }));
+  }
   char text[96];
   std::snprintf(text, sizeof text, "%zu ribbons, %zu samples", floor.ribbons(), floor.samples());
   report.add({kSection,
@@ -156,11 +152,10 @@ void measure_corrections(const Inputs& inputs, Report& report) {
   const double ours_s = section.add(
       "ours: correct() and merged_planes(), cells included", [&] { return our_correction(inputs); },
       repetitions);
-  const std::size_t ribbons = section.last["ribbons"];
   report.set("correction_s", ours_s);
   report.set("correction_correct_s", section.last["correct_s"]);
   report.set("correction_planes_s", section.last["planes_s"]);
-  report.set("correction_over_floor", ours_s / floor_s(inputs, ribbons, report));
+  report.set("correction_over_floor", ours_s / floor_s(inputs, report));
   report.set("correction_vs_rebuild",
              section.add(
                  "ours, rebuilt from raw lines", [&] { return our_rebuild(inputs); },

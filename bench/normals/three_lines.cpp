@@ -3,6 +3,7 @@
 #include "bench/normals/three_lines.hpp"
 
 #include <Eigen/Eigenvalues>
+#include <map>
 
 #include "bench/stopwatch.hpp"
 
@@ -29,21 +30,23 @@ ThreeLines snapshot(const LineBuffer& buffer, const RecordedLine& middle,
 std::vector<ThreeLines> sample_buffers(const Recording& recording, const ModelerConfig& config,
                                        std::size_t count) {
   std::vector<ThreeLines> samples;
-  LineBuffer buffer;
-  const RecordedLine* newest = nullptr;
-  const double least_m = config.scan.base_line_sigmas * config.scan.range_sigma_m;
+  const double sigma_m = config.scan.range_sigma_m;
+  LineBuffer buffer(config.scan.base_line_sigmas * sigma_m);
+  std::map<Time, const RecordedLine*> by_stamp;
   const std::size_t stride = recording.lines.size() / count;
   for (std::size_t i = 0; i < recording.lines.size(); ++i) {
     const RecordedLine& line = recording.lines[i];
     place_beams(line.beams, line.poses, config.scan, buffer.incoming());
-    if (buffer.newest_line() && base_line_m(*buffer.newest_line(), buffer.incoming()) < least_m) {
+    if (buffer.newest_line() && base_line_m(*buffer.newest_line(), buffer.incoming()) <
+                                    config.scan.line_step_sigmas * sigma_m) {
       continue;
     }
+    by_stamp[buffer.incoming().stamp] = &line;
     buffer.push();
-    if (buffer.is_full() && samples.size() < i / stride) {
-      samples.push_back(snapshot(buffer, *newest, config));
+    while (buffer.advance()) {
+      if (samples.size() >= i / stride) continue;
+      samples.push_back(snapshot(buffer, *by_stamp.at(buffer.middle().stamp), config));
     }
-    newest = &line;
   }
   return samples;
 }

@@ -15,7 +15,7 @@ namespace ribbon_mapper::bench {
 
 /// A full buffer of the tour: the input of all rows that estimate normals.
 struct ThreeLines {
-  LineBuffer buffer;
+  LineBuffer buffer{0.0};
   std::vector<std::size_t> beams;     ///< of the middle line: those with a return
   std::vector<Neighbourhood> around;  ///< of each of these; size 0: no normal there
   std::vector<Surfel> surfels;        ///< that we estimate on it
