@@ -9,28 +9,18 @@
 #include <sstream>
 
 #include "bench/recording/recording_file.hpp"
+#include "eval/lines.hpp"
 #include "eval/share.hpp"
 #include "sim/truth.hpp"
 
 namespace ribbon_mapper::bench {
 namespace {
 
-LaserBeams beams_of(const sim::Scan& scan) {
-  return {scan.stamp,
-          scan.angle_min_rad,
-          scan.angle_increment_rad,
-          scan.time_increment_s,
-          scan.range_min_m,
-          scan.range_max_m,
-          scan.ranges_m};
-}
-
 RecordedLine recorded(const sim::Scan& scan, const sim::Tour& tour) {
   RecordedLine line;
-  line.beams = beams_of(scan);
-  const Time first = line.beams.stamp, last = end_of(line.beams), middle = middle_of(line.beams);
-  line.poses = {tour.T_odom_base(first), tour.T_odom_base(last), tour.T_base_laser(first),
-                tour.T_base_laser(last), tour.noisy_T_map_base(middle)};
+  line.beams = eval::beams_of(scan);
+  line.poses = eval::noisy_poses(tour, line.beams);
+  const Time middle = middle_of(line.beams);
   line.T_map_base_true = tour.true_T_map_base(middle);
   line.T_map_odom_true = line.T_map_base_true * tour.T_odom_base(middle).inverse(Eigen::Isometry);
   line.faces.assign(scan.faces.begin(), scan.faces.end());
