@@ -48,9 +48,9 @@ TourWatch::TourWatch() {
       [this](const auto& message) { trajectory_before_ = message; });
 }
 
-void TourWatch::on_correction(const nav_msgs::Path&) {
+void TourWatch::on_correction(const nav_msgs::Path& path) {
   ++corrections_;
-  corrected_after_end_ = finished_;
+  if (!path.poses.empty()) corrected_until_ = path.poses.back().header.stamp;
 }
 
 void TourWatch::look() {
@@ -87,11 +87,14 @@ std::string TourWatch::progress() const {
   return text.data();
 }
 
-/// The last correction that was handed over has arrived, and no other is to be expected.
+/// The last correction that was handed over has arrived, and no other is to be expected. Whether it
+/// covers the whole tour is read from its poses: messages of two topics come in any order.
 bool TourWatch::is_corrected() const {
   const std::size_t revision = state_.planes.revision;
   if (revision == 0 || revision_is_new_) return false;
-  return (corrected_after_end_ && revision >= corrections_) || idle_s() > kSettled_s;
+  const bool covers_tour = trajectory_ && !trajectory_->poses.empty() &&
+                           corrected_until_ >= trajectory_->poses.back().header.stamp;
+  return (covers_tour && revision >= corrections_) || idle_s() > kSettled_s;
 }
 
 std::string TourWatch::missing() const {

@@ -50,8 +50,8 @@ class TourWatch {
   ros::Subscriber trajectory_topic_, trajectory_before_topic_;
 
   bool finished_ = false;
-  std::size_t corrections_ = 0;       ///< that were handed to the modeler
-  bool corrected_after_end_ = false;  ///< the last of them came after the tour
+  std::size_t corrections_ = 0;  ///< that were handed to the modeler
+  ros::Time corrected_until_;    ///< stamp of the last pose of the last of them
   PlaneArray::ConstPtr truth_planes_;
   PoseHistory truth_;
   nav_msgs::Path::ConstPtr trajectory_, trajectory_before_;
