@@ -75,10 +75,10 @@ Plane plane_ahead(const std::vector<Plane>& planes, const Pose& T_map_base) {
 /// Of the points about their ribbon.
 double point_variance_m2(const Ribbon& ribbon) {
   double squares = 0.0, points = 0.0;
-  for (const RibbonSample& sample : ribbon.samples) {
-    squares += static_cast<double>(sample.square_m2) * sample.count;
-    points += sample.count;
-  }
+  ribbon.samples.for_each([&](float, float height_m, std::uint32_t count) {
+    squares += count * (static_cast<double>(height_m) * height_m + ribbon.samples.variance_m2);
+    points += count;
+  });
   return points > 0.0 ? squares / points : 0.0;
 }
 
@@ -143,8 +143,8 @@ RibbonSpread Calibrator::spread(const Plane& plane, std::size_t first_ribbon,
   for (std::size_t i = first_ribbon; i < end_ribbon; ++i) {
     const Ribbon& ribbon = modeler_.ribbons()[i];
     const Pose& T_map_base = modeler_.trajectory()[ribbon.pose].T_map_base;
-    const Eigen::Vector3d centroid = T_map_base * ribbon.moments.mean();
-    const Eigen::Vector3d normal = T_map_base.linear() * ribbon.normal;
+    const Eigen::Vector3d centroid = T_map_base * ribbon.spread.mean();
+    const Eigen::Vector3d normal = T_map_base.linear() * ribbon.normal.cast<double>();
     const double distance_m = std::abs(plane.normal.dot(centroid) + plane.d_m);
     const double cosine = normal.dot(plane.normal);
     const double angle_rad = std::atan2(normal.cross(plane.normal).norm(), cosine);

@@ -46,14 +46,14 @@ struct Modeler::State {
   /// Surfels, ribbons, association.
   void model_middle_line() {
     const ScanLine& middle = buffer.middle();
-    const std::vector<Ribbon>& found = extraction.extract(buffer);
+    const std::vector<Ribbon>& found = extraction.extract(buffer, points);
     trajectory.add({{middle.stamp, middle.T_map_base}, middle.T_odom_base});
     const auto pose = static_cast<std::uint32_t>(trajectory.poses().size() - 1);
-    strays.push_back(extraction.strays(buffer));
+    strays.push_back(extraction.strays(buffer, points));
     strays.back().pose = pose;
     for (Ribbon ribbon : found) {
       ribbon.pose = pose;
-      ribbons.push_back(std::move(ribbon));
+      ribbons.push_back(ribbon);
       const auto index = static_cast<std::uint32_t>(ribbons.size() - 1);
       map.add(evidence().ribbon(index), index);
     }
@@ -65,6 +65,7 @@ struct Modeler::State {
   LineBuffer buffer;
   LinePool pool;
   RibbonExtraction extraction;
+  PointStore points;  ///< of ribbons and strays
   std::vector<Ribbon> ribbons;
   std::vector<StrayPoints> strays;
   Trajectory trajectory;
@@ -138,15 +139,9 @@ ModelStatistics Modeler::statistics() const {
 
 std::size_t Modeler::memory_bytes() const {
   const State& s = *state_;
-  std::size_t bytes = s.ribbons.capacity() * sizeof(Ribbon) + s.map.memory_bytes() +
-                      2 * s.trajectory.poses().capacity() * sizeof(StampedPose);
-  for (const Ribbon& ribbon : s.ribbons) {
-    bytes += ribbon.samples.capacity() * sizeof(RibbonSample);
-  }
-  for (const StrayPoints& strays : s.strays) {
-    bytes += sizeof(strays) + strays.samples.capacity() * sizeof(RibbonSample);
-  }
-  return bytes;
+  return s.ribbons.capacity() * sizeof(Ribbon) + s.strays.capacity() * sizeof(StrayPoints) +
+         s.points.samples.memory_bytes() + s.points.strays.memory_bytes() + s.map.memory_bytes() +
+         s.trajectory.memory_bytes();
 }
 
 }  // namespace ribbon_mapper

@@ -2,15 +2,20 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "bench/correction/ribbon_floor.hpp"
 
+#include "modeler/map/posed_ribbon.hpp"
+
 namespace ribbon_mapper::bench {
 
 RibbonFloor::RibbonFloor(const Modeler& modeler) {
   for (const Ribbon& ribbon : modeler.ribbons()) {
-    const double w = ribbon.moments.weight();
-    const Eigen::Vector3d mean = ribbon.moments.mean(), sum = w * mean;
-    const Eigen::Matrix3d m = w * (ribbon.moments.covariance() + mean * mean.transpose());
+    const double w = ribbon.spread.weight();
+    const Eigen::Vector3d mean = ribbon.spread.mean(), sum = w * mean;
+    const Eigen::Matrix3d m = w * (ribbon.spread.covariance() + mean * mean.transpose());
     const auto first = static_cast<std::uint32_t>(sample_points_.size());
-    for (const RibbonSample& sample : ribbon.samples) sample_points_.push_back(sample.point);
+    const PosedRibbon here(ribbon, Pose::Identity());
+    ribbon.samples.for_each([&](float along_m, float height_m, std::uint32_t) {
+      sample_points_.push_back(here.point(along_m, height_m).cast<float>());
+    });
     sources_.push_back({{w, sum.x(), sum.y(), sum.z(), m(0, 0), m(0, 1), m(0, 2), m(1, 1), m(1, 2),
                          m(2, 2)},
                         ribbon.pose, first, static_cast<std::uint32_t>(sample_points_.size())});

@@ -17,6 +17,14 @@ Symmetric second_moments(const std::array<double, 10>& s) {
 
 }  // namespace
 
+Moments Moments::of(double weight, const Eigen::Vector3d& mean, const Eigen::Matrix3d& covariance) {
+  const Eigen::Matrix3d m = weight * (covariance + mean * mean.transpose());
+  Moments result;
+  result.sums_ = {weight,  weight * mean.x(), weight * mean.y(), weight * mean.z(), m(0, 0),
+                  m(0, 1), m(0, 2),           m(1, 1),           m(1, 2),           m(2, 2)};
+  return result;
+}
+
 Eigen::Matrix3d Moments::covariance() const {
   const Eigen::Vector3d centre = mean();
   return second_moments(sums_) / weight() - centre * centre.transpose();

@@ -13,6 +13,8 @@ namespace ribbon_mapper {
 /// adding, moved rigidly by a few dozen multiplications, and need no points for either.
 class Moments {
  public:
+  static Moments of(double weight, const Eigen::Vector3d& mean, const Eigen::Matrix3d& covariance);
+
   void add(const Eigen::Vector3d& point) {
     const double x = point.x(), y = point.y(), z = point.z();
     const std::array<double, 10> one{1.0,   x,     y,     z,     x * x,

@@ -3,11 +3,12 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
-#include <map>
 #include <numeric>
-#include <utility>
+
+#include <tsl/robin_map.h>
 
 #include "modeler/map/cell_grid.hpp"
+#include "modeler/map/key_hash.hpp"
 
 namespace ribbon_mapper {
 namespace {
@@ -21,56 +22,76 @@ class Linkage {
     side_ = std::max(1, static_cast<int>(gap_in_cells / M_SQRT2) + 1);
     if (std::hypot(side_ - 1, side_ - 1) > gap_in_cells) --side_;
     reach_ = static_cast<int>(std::ceil(gap_in_cells / side_));
-    for (std::size_t i = 0; i < cells.size(); ++i) blocks_[block_of(cells[i])].push_back(i);
-    parent_.resize(cells.size());
-    std::iota(parent_.begin(), parent_.end(), std::size_t{0});
+    sort_into_blocks();
+    for (std::uint32_t block = 0; block < places_.size(); ++block) join_neighbours(block);
   }
 
-  std::vector<std::size_t> roots() {
-    for (const auto& [block, members] : blocks_) {
-      for (const std::size_t i : members) unite(members.front(), i);
-    }
-    for (const auto& [block, members] : blocks_) join_neighbours(block, members);
-    std::vector<std::size_t> roots(cells_.size());
-    for (std::size_t i = 0; i < roots.size(); ++i) roots[i] = root_of(i);
+  /// Of each cell, the first block of its component.
+  std::vector<std::uint32_t> roots() {
+    std::vector<std::uint32_t> roots(cells_.size());
+    for (std::size_t i = 0; i < roots.size(); ++i) roots[i] = root_of(block_of_[i]);
     return roots;
   }
 
  private:
-  using Block = std::pair<int, int>;
-  using Members = std::vector<std::size_t>;
+  struct Place {
+    std::int32_t u, v;
+  };
 
-  Block block_of(const PlaneCell& cell) const {
-    return {static_cast<int>(std::floor(static_cast<double>(cell.v) / side_)),
-            static_cast<int>(std::floor(static_cast<double>(cell.u) / side_))};
+  static int floor_div(int a, int b) { return a >= 0 ? a / b : -((b - 1 - a) / b); }
+
+  /// Blocks are numbered by their first cells.
+  void sort_into_blocks() {
+    for (const PlaneCell& cell : cells_) {
+      const Place place{floor_div(cell.u, side_), floor_div(cell.v, side_)};
+      const bool is_last = !block_of_.empty() && places_[block_of_.back()].u == place.u &&
+                           places_[block_of_.back()].v == place.v;
+      if (is_last) {
+        block_of_.push_back(block_of_.back());
+        continue;
+      }
+      const auto number = static_cast<std::uint32_t>(places_.size());
+      const auto [found, is_new] = blocks_.try_emplace(pair_key(place.u, place.v), number);
+      if (is_new) places_.push_back(place);
+      block_of_.push_back(found->second);
+    }
+    first_member_.assign(places_.size() + 1, 0);
+    for (const std::uint32_t block : block_of_) ++first_member_[block + 1];
+    std::partial_sum(first_member_.begin(), first_member_.end(), first_member_.begin());
+    members_.resize(cells_.size());
+    std::vector<std::uint32_t> next(first_member_.begin(), first_member_.end() - 1);
+    for (std::uint32_t i = 0; i < cells_.size(); ++i) members_[next[block_of_[i]]++] = i;
+    parent_.resize(places_.size());
+    std::iota(parent_.begin(), parent_.end(), 0u);
   }
 
-  void join_neighbours(const Block& block, const Members& members) {
+  void join_neighbours(std::uint32_t block) {
+    const Place place = places_[block];
     for (int dv = 0; dv <= reach_; ++dv) {
       for (int du = dv == 0 ? 1 : -reach_; du <= reach_; ++du) {
-        const auto other = blocks_.find({block.first + dv, block.second + du});
-        if (other == blocks_.end()) continue;
-        if (root_of(members.front()) == root_of(other->second.front())) continue;
-        if (are_near(members, other->second)) unite(members.front(), other->second.front());
+        const auto other = blocks_.find(pair_key(place.u + du, place.v + dv));
+        if (other == blocks_.end() || root_of(block) == root_of(other->second)) continue;
+        if (are_near(block, other->second)) unite(block, other->second);
       }
     }
   }
 
-  bool are_near(const Members& a, const Members& b) const {
-    for (const std::size_t i : a) {
-      for (const std::size_t j : b) {
-        const double du = cells_[i].u - cells_[j].u, dv = cells_[i].v - cells_[j].v;
+  bool are_near(std::uint32_t a, std::uint32_t b) const {
+    for (std::uint32_t i = first_member_[a]; i < first_member_[a + 1]; ++i) {
+      for (std::uint32_t j = first_member_[b]; j < first_member_[b + 1]; ++j) {
+        const PlaneCell &p = cells_[members_[i]], &q = cells_[members_[j]];
+        const double du = p.u - q.u, dv = p.v - q.v;
         if (du * du + dv * dv <= gap_square_) return true;
       }
     }
     return false;
   }
 
-  std::size_t root_of(std::size_t i) {
-    while (parent_[i] != i) i = parent_[i] = parent_[parent_[i]];
-    return i;
+  std::uint32_t root_of(std::uint32_t block) {
+    while (parent_[block] != block) block = parent_[block] = parent_[parent_[block]];
+    return block;
   }
-  void unite(std::size_t a, std::size_t b) {
+  void unite(std::uint32_t a, std::uint32_t b) {
     a = root_of(a), b = root_of(b);
     parent_[std::max(a, b)] = std::min(a, b);
   }
@@ -78,24 +99,30 @@ class Linkage {
   const std::vector<PlaneCell>& cells_;
   double gap_square_;
   int side_, reach_;
-  std::map<Block, Members> blocks_;
-  std::vector<std::size_t> parent_;
+  tsl::robin_map<std::uint64_t, std::uint32_t, KeyHash> blocks_;
+  std::vector<Place> places_;                          // of each block
+  std::vector<std::uint32_t> block_of_;                // of each cell
+  std::vector<std::uint32_t> first_member_, members_;  // of each block; cells
+  std::vector<std::uint32_t> parent_;                  // of each block
 };
 
 }  // namespace
 
 std::vector<int> connected_components(const std::vector<PlaneCell>& cells, double cell_size_m,
                                       double gap_m) {
-  const std::vector<std::size_t> roots = Linkage(cells, gap_m / cell_size_m + 1e-6).roots();
-  std::map<std::size_t, std::size_t> sizes;
-  for (const std::size_t root : roots) ++sizes[root];
-  std::vector<std::pair<std::size_t, std::size_t>> order(sizes.begin(), sizes.end());
+  const std::vector<std::uint32_t> roots = Linkage(cells, gap_m / cell_size_m + 1e-6).roots();
+  std::vector<std::size_t> sizes(cells.size(), 0);
+  for (const std::uint32_t root : roots) ++sizes[root];
+  std::vector<std::uint32_t> order;
+  for (std::uint32_t root = 0; root < sizes.size(); ++root) {
+    if (sizes[root] > 0) order.push_back(root);
+  }
   std::stable_sort(order.begin(), order.end(),
-                   [](const auto& a, const auto& b) { return a.second > b.second; });
-  std::map<std::size_t, int> numbers;
-  for (std::size_t i = 0; i < order.size(); ++i) numbers[order[i].first] = static_cast<int>(i);
-  std::vector<int> components;
-  for (const std::size_t root : roots) components.push_back(numbers[root]);
+                   [&](std::uint32_t a, std::uint32_t b) { return sizes[a] > sizes[b]; });
+  std::vector<int> numbers(cells.size(), 0), components;
+  for (std::size_t i = 0; i < order.size(); ++i) numbers[order[i]] = static_cast<int>(i);
+  components.reserve(roots.size());
+  for (const std::uint32_t root : roots) components.push_back(numbers[root]);
   return components;
 }
 

@@ -3,19 +3,32 @@
 #include "modeler/map/cell_grid.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 namespace ribbon_mapper {
 namespace {
 
-std::uint64_t key_of(int u, int v) {
-  return (static_cast<std::uint64_t>(static_cast<std::uint32_t>(u)) << 32) |
-         static_cast<std::uint32_t>(v);
-}
-
-int floor_div(int a, int b) { return a >= 0 ? a / b : -((-a + b - 1) / b); }
+// Of what the best neighbour has: 0.4 sigma in the plane over a cell.
+constexpr float spilled_share = 0.05F;
 
 }  // namespace
+
+/// Counts of a tile with a margin of one cell.
+struct CellGrid::Counts {
+  static constexpr int side = tile_side + 2;
+  std::array<float, side * side> counts{};
+
+  float& at(int u, int v) { return counts[(v + 1) * side + u + 1]; }
+  bool is_spill(int u, int v) const {
+    const float* centre = &counts[(v + 1) * side + u + 1];
+    float most = 0.0F;
+    for (const int row : {-side, 0, side}) {
+      most = std::max({most, centre[row - 1], centre[row], centre[row + 1]});
+    }
+    return *centre < spilled_share * most;
+  }
+};
 
 CellGrid::CellGrid(const Plane& frame) {
   to_grid_.row(0) = frame.axis_u.transpose() / frame.cell_size_m;
@@ -24,77 +37,93 @@ CellGrid::CellGrid(const Plane& frame) {
   grid_shift_ = -to_grid_ * frame.origin;
 }
 
-CellGrid::Sums& CellGrid::at(int u, int v) {
-  const int column = floor_div(u, tile_side), row = floor_div(v, tile_side);
-  const std::uint64_t key = key_of(column, row);
-  if (!last_ || key != last_key_) {
-    std::unique_ptr<Tile>& tile = tiles_[key];
-    if (!tile) tile = std::make_unique<Tile>();
-    last_ = tile.get(), last_key_ = key;
-  }
-  return last_->sums[(v - row * tile_side) * tile_side + (u - column * tile_side)];
+CellGrid::Tile& CellGrid::tile_at(int column, int row) {
+  if (last_ && last_->column == column && last_->row == row) return *last_;
+  std::unique_ptr<Tile>& tile = tiles_[pair_key(column, row)];
+  if (!tile) tile = std::make_unique<Tile>(column, row);
+  last_ = tile.get();
+  return *last_;
+}
+
+CellGrid::Sums& CellGrid::at(double u, double v) {
+  const int column = static_cast<int>(std::floor(u)), row = static_cast<int>(std::floor(v));
+  Tile& tile = tile_at(column >> tile_bits, row >> tile_bits);
+  constexpr int mask = tile_side - 1;
+  return tile.sums[(row & mask) * tile_side + (column & mask)];
 }
 
 void CellGrid::add(const PosedRibbon& ribbon) {
-  const Eigen::Matrix3d rotation = to_grid_ * ribbon.T_world_base.linear();
-  const Eigen::Vector3d shift = to_grid_ * ribbon.T_world_base.translation() + grid_shift_;
-  for (const RibbonSample& sample : ribbon.ribbon->samples) {
-    const Eigen::Vector3d place = rotation * sample.point.cast<double>() + shift;
-    Sums& sums = at(static_cast<int>(std::floor(place.x())), static_cast<int>(std::floor(place.y())));
-    const float count = static_cast<float>(sample.count), distance = static_cast<float>(place.z());
+  const Eigen::Vector3d centroid = to_grid_ * ribbon.centroid + grid_shift_;
+  const Eigen::Vector3d along = to_grid_ * ribbon.along, across = to_grid_ * ribbon.normal;
+  const RibbonSamples& samples = ribbon.ribbon->samples;
+  samples.for_each([&](float along_m, float height_m, std::uint32_t points) {
+    const Eigen::Vector3d place = centroid + along_m * along + height_m * across;
+    Sums& sums = at(place.x(), place.y());
+    const float count = static_cast<float>(points), distance = static_cast<float>(place.z());
     sums.count += count;
     sums.distance_m += count * distance;
-    sums.square_m2 += count * (distance * distance + sample.square_m2);
-  }
+    sums.square_m2 += count * (distance * distance + samples.variance_m2);
+  });
 }
 
 void CellGrid::add(const Eigen::Vector3d& point, std::uint32_t count) {
   const Eigen::Vector3d place = to_grid_ * point + grid_shift_;
-  Sums& sums = at(static_cast<int>(std::floor(place.x())), static_cast<int>(std::floor(place.y())));
+  Sums& sums = at(place.x(), place.y());
   const float weight = static_cast<float>(count), distance = static_cast<float>(place.z());
   sums.count += weight;
   sums.distance_m += weight * distance;
   sums.square_m2 += weight * distance * distance;
 }
 
-float CellGrid::count_at(int u, int v) const {
-  const int column = floor_div(u, tile_side), row = floor_div(v, tile_side);
-  const auto tile = tiles_.find(key_of(column, row));
-  if (tile == tiles_.end()) return 0.0F;
-  return tile->second->sums[(v - row * tile_side) * tile_side + (u - column * tile_side)].count;
-}
-
-bool CellGrid::is_spill(int u, int v, float count) const {
+CellGrid::Counts CellGrid::counts_around(const Tile& tile) const {
+  Counts counts;
   for (int dv = -1; dv <= 1; ++dv) {
     for (int du = -1; du <= 1; ++du) {
-      if (count < spilled_share * count_at(u + du, v + dv)) return true;
+      const auto found = tiles_.find(pair_key(tile.column + du, tile.row + dv));
+      if (found == tiles_.end()) continue;
+      const auto first = [](int d) { return d < 0 ? tile_side - 1 : 0; };
+      const auto end = [](int d) { return d > 0 ? 1 : tile_side; };
+      for (int v = first(dv); v < end(dv); ++v) {
+        for (int u = first(du); u < end(du); ++u) {
+          counts.at(u + du * tile_side, v + dv * tile_side) =
+              found->second->sums[v * tile_side + u].count;
+        }
+      }
     }
   }
-  return false;
+  return counts;
 }
 
 std::vector<PlaneCell> CellGrid::cells() const {
+  std::vector<const Tile*> tiles;
+  for (const auto& [key, tile] : tiles_) tiles.push_back(tile.get());
+  std::sort(tiles.begin(), tiles.end(), [](const Tile* a, const Tile* b) {
+    return a->row != b->row ? a->row < b->row : a->column < b->column;
+  });
   std::vector<PlaneCell> cells;
-  for (const auto& [key, tile] : tiles_) {
-    const int u0 = static_cast<std::int32_t>(key >> 32) * tile_side;
-    const int v0 = static_cast<std::int32_t>(key & 0xffffffffu) * tile_side;
-    for (int i = 0; i < tile_side * tile_side; ++i) {
-      const Sums& sums = tile->sums[i];
-      if (sums.count <= 0.0F) continue;
-      PlaneCell cell;
-      cell.u = u0 + i % tile_side;
-      cell.v = v0 + i / tile_side;
-      if (is_spill(cell.u, cell.v, sums.count)) continue;
-      cell.count = static_cast<std::uint32_t>(sums.count);
-      cell.mean_m = sums.distance_m / sums.count;
-      cell.variance_m2 =
-          std::max(0.0F, sums.square_m2 / sums.count - cell.mean_m * cell.mean_m);
-      cells.push_back(cell);
+  std::vector<Counts> counts;
+  for (std::size_t first = 0, end = 0; first < tiles.size(); first = end) {
+    counts.clear();
+    for (; end < tiles.size() && tiles[end]->row == tiles[first]->row; ++end) {
+      counts.push_back(counts_around(*tiles[end]));
+    }
+    for (int v = 0; v < tile_side; ++v) {
+      for (std::size_t i = first; i < end; ++i) {
+        for (int u = 0; u < tile_side; ++u) {
+          const Sums& sums = tiles[i]->sums[v * tile_side + u];
+          if (sums.count <= 0.0F || counts[i - first].is_spill(u, v)) continue;
+          PlaneCell cell;
+          cell.u = tiles[i]->column * tile_side + u;
+          cell.v = tiles[i]->row * tile_side + v;
+          cell.count = static_cast<std::uint32_t>(sums.count);
+          cell.mean_m = sums.distance_m / sums.count;
+          cell.variance_m2 =
+              std::max(0.0F, sums.square_m2 / sums.count - cell.mean_m * cell.mean_m);
+          cells.push_back(cell);
+        }
+      }
     }
   }
-  std::sort(cells.begin(), cells.end(), [](const PlaneCell& a, const PlaneCell& b) {
-    return a.v != b.v ? a.v < b.v : a.u < b.u;
-  });
   return cells;
 }
 

@@ -5,9 +5,11 @@
 #include <Eigen/Core>
 #include <cstdint>
 #include <memory>
-#include <unordered_map>
 #include <vector>
 
+#include <tsl/robin_map.h>
+
+#include "modeler/map/key_hash.hpp"
 #include "modeler/map/plane.hpp"
 #include "modeler/map/posed_ribbon.hpp"
 
@@ -22,26 +24,29 @@ class CellGrid {
 
   void add(const PosedRibbon& ribbon);
   void add(const Eigen::Vector3d& point, std::uint32_t count);
-  std::vector<PlaneCell> cells() const;  ///< sorted by (v, u)
+  /// Sorted by (v, u). Leaves out what noise spilled: it carries a few points over the edge of what
+  /// many have seen.
+  std::vector<PlaneCell> cells() const;
 
  private:
-  static constexpr int tile_side = 32;
-  static constexpr float spilled_share = 0.05F;  // of what the best neighbour has: 0.4 sigma in the plane over a cell
+  static constexpr int tile_bits = 4, tile_side = 1 << tile_bits;
   struct Sums {
     float count = 0.0F, distance_m = 0.0F, square_m2 = 0.0F;
   };
   struct Tile {
+    explicit Tile(int column_, int row_) : column(column_), row(row_) {}
+    int column, row;
     Sums sums[tile_side * tile_side];
   };
-  Sums& at(int u, int v);
-  float count_at(int u, int v) const;
-  /// Noise carries a few points over the edge of what many have seen.
-  bool is_spill(int u, int v, float count) const;
+  struct Counts;
+
+  Tile& tile_at(int column, int row);
+  Sums& at(double u, double v);
+  Counts counts_around(const Tile& tile) const;
 
   Eigen::Matrix3d to_grid_;     // rows: axis_u, axis_v in cells; normal in metres
   Eigen::Vector3d grid_shift_;
-  std::unordered_map<std::uint64_t, std::unique_ptr<Tile>> tiles_;
-  std::uint64_t last_key_ = 0;
+  tsl::robin_map<std::uint64_t, std::unique_ptr<Tile>, KeyHash> tiles_;
   Tile* last_ = nullptr;
 };
 

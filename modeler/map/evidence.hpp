@@ -25,8 +25,9 @@ class Evidence {
   }
 
   std::size_t ribbon_count() const { return ribbons_->size(); }
+  const Ribbon& source(std::size_t index) const { return (*ribbons_)[index]; }
   PosedRibbon ribbon(std::size_t index) const {
-    const Ribbon& ribbon = (*ribbons_)[index];
+    const Ribbon& ribbon = source(index);
     return {ribbon, T_world_base(ribbon.pose)};
   }
 

@@ -3,13 +3,17 @@
 #include "modeler/map/footprint.hpp"
 
 #include <cmath>
+#include <optional>
 
 namespace ribbon_mapper {
 
 Footprint::Footprint(const Plane& plane, double reach_m) : plane_(&plane), reach_m_(reach_m) {
+  std::optional<std::uint64_t> last;
   for (const PlaneCell& cell : plane.cells) {
-    blocks_.insert(block_at((cell.u + 0.5) * plane.cell_size_m, (cell.v + 0.5) * plane.cell_size_m,
-                            0, 0));
+    const std::uint64_t block =
+        block_at((cell.u + 0.5) * plane.cell_size_m, (cell.v + 0.5) * plane.cell_size_m, 0, 0);
+    if (block != last) blocks_.insert(block);
+    last = block;
   }
 }
 
@@ -25,10 +29,9 @@ bool Footprint::holds(const Eigen::Vector3d& point, double tolerance_m) const {
   return false;
 }
 
-std::int64_t Footprint::block_at(double u_m, double v_m, int du, int dv) const {
-  const auto u = static_cast<std::int64_t>(std::floor(u_m / reach_m_)) + du;
-  const auto v = static_cast<std::int64_t>(std::floor(v_m / reach_m_)) + dv;
-  return u * (std::int64_t{1} << 32) + v;
+std::uint64_t Footprint::block_at(double u_m, double v_m, int du, int dv) const {
+  return pair_key(static_cast<std::int32_t>(std::floor(u_m / reach_m_)) + du,
+                  static_cast<std::int32_t>(std::floor(v_m / reach_m_)) + dv);
 }
 
 }  // namespace ribbon_mapper

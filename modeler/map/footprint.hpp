@@ -4,8 +4,10 @@
 
 #include <Eigen/Core>
 #include <cstdint>
-#include <unordered_set>
 
+#include <tsl/robin_set.h>
+
+#include "modeler/map/key_hash.hpp"
 #include "modeler/map/plane.hpp"
 
 namespace ribbon_mapper {
@@ -23,11 +25,11 @@ class Footprint {
   const Plane& plane() const { return *plane_; }
 
  private:
-  std::int64_t block_at(double u_m, double v_m, int du, int dv) const;
+  std::uint64_t block_at(double u_m, double v_m, int du, int dv) const;
 
   const Plane* plane_;
   double reach_m_;
-  std::unordered_set<std::int64_t> blocks_;
+  tsl::robin_set<std::uint64_t, KeyHash> blocks_;
 };
 
 }  // namespace ribbon_mapper

@@ -4,7 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
-#include <map>
+#include <utility>
 
 #include "modeler/map/cell_grid.hpp"
 
@@ -14,15 +14,18 @@ namespace {
 /// Ids of the pieces that a plane falls into beyond its largest: far above any hypothesis' id.
 constexpr std::int64_t piece_step = 1'000'000;
 
+/// That of the cell in the middle of the ribbon's samples.
 int component_of(const PosedRibbon& ribbon, const Plane& plane,
-                 const std::map<std::pair<int, int>, int>& components) {
-  const auto& samples = ribbon.ribbon->samples;
+                 const std::vector<int>& components) {
   const Eigen::Vector3d place =
-      ribbon.T_world_base * samples[samples.size() / 2].point.cast<double>() - plane.origin;
+      ribbon.point(ribbon.ribbon->samples.middle_m(), 0.0F) - plane.origin;
   const int u = static_cast<int>(std::floor(place.dot(plane.axis_u) / plane.cell_size_m));
   const int v = static_cast<int>(std::floor(place.dot(plane.axis_v) / plane.cell_size_m));
-  const auto found = components.find({u, v});
-  return found == components.end() ? 0 : found->second;
+  const auto found = std::lower_bound(
+      plane.cells.begin(), plane.cells.end(), std::pair(v, u),
+      [](const PlaneCell& cell, const auto& key) { return std::pair(cell.v, cell.u) < key; });
+  if (found == plane.cells.end() || found->u != u || found->v != v) return 0;
+  return components[static_cast<std::size_t>(found - plane.cells.begin())];
 }
 
 /// Noise cannot have mixed two planes that lie closer together than the gate if there is a gap
@@ -45,15 +48,11 @@ std::vector<Hypothesis> split(const Hypothesis& whole, const Plane& plane, doubl
   const std::vector<int> numbers = connected_components(plane.cells, plane.cell_size_m, gap_m);
   const int count = *std::max_element(numbers.begin(), numbers.end()) + 1;
   if (count == 1) return {whole};
-  std::map<std::pair<int, int>, int> components;
-  for (std::size_t i = 0; i < numbers.size(); ++i) {
-    components[{plane.cells[i].u, plane.cells[i].v}] = numbers[i];
-  }
   std::vector<Hypothesis> pieces;
   for (int i = 0; i < count; ++i) pieces.emplace_back(whole.id + i * piece_step);
   for (const Member& member : whole.members()) {
     const PosedRibbon ribbon = evidence.ribbon(member.ribbon);
-    pieces[component_of(ribbon, plane, components)].add(ribbon, member);
+    pieces[component_of(ribbon, plane, numbers)].add(ribbon, member);
   }
   return pieces;
 }

@@ -16,11 +16,16 @@ struct PosedRibbon {
   PosedRibbon(const Ribbon& source, const Pose& pose)
       : ribbon(&source),
         T_world_base(pose),
-        moments(source.moments.transformed(pose)),
+        moments(source.spread.transformed(pose)),
         centroid(moments.mean()),
-        normal(pose.linear() * source.normal),
-        along(pose.linear() * source.along),
+        normal(pose.linear() * source.normal.cast<double>()),
+        along(pose.linear() * source.along.cast<double>()),
         across(normal.cross(along)) {}
+
+  /// A point of one of the ribbon's samples.
+  Eigen::Vector3d point(float along_m, float height_m) const {
+    return centroid + along_m * along + height_m * normal;
+  }
 
   const Ribbon* ribbon;
   Pose T_world_base;

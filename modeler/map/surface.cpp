@@ -81,7 +81,9 @@ class StrayTaker {
     const auto faces = [&](const Plane& plane) {
       return plane.normal.dot(sensor) + plane.d_m > 0.0;
     };
-    for (const RibbonSample& sample : strays.samples) give(sample, T_world_base, faces);
+    for (const PackedPoint& packed : strays) {
+      give(T_world_base * strays.point(packed).cast<double>(), packed.count, faces);
+    }
   }
 
   /// The surface that most of the points were given to owns the ribbon.
@@ -91,12 +93,12 @@ class StrayTaker {
     };
     std::uint32_t all = 0;
     given_.clear();
-    for (const RibbonSample& sample : ribbon.ribbon->samples) {
-      all += sample.count;
-      if (Surface* surface = give(sample, ribbon.T_world_base, faces)) {
-        given_[surface] += sample.count;
+    ribbon.ribbon->samples.for_each([&](float along_m, float height_m, std::uint32_t count) {
+      all += count;
+      if (Surface* surface = give(ribbon.point(along_m, height_m), count, faces)) {
+        given_[surface] += count;
       }
-    }
+    });
     for (const auto& [surface, count] : given_) {
       if (2 * count > all) surface->own(index);
     }
@@ -104,10 +106,9 @@ class StrayTaker {
 
  private:
   template <typename Faces>
-  Surface* give(const RibbonSample& sample, const Pose& T_world_base, const Faces& faces) {
-    const Eigen::Vector3d point = T_world_base * sample.point.cast<double>();
+  Surface* give(const Eigen::Vector3d& point, std::uint32_t count, const Faces& faces) {
     Surface* surface = surface_of(point, faces);
-    if (surface) surface->add(point, sample.count);
+    if (surface) surface->add(point, count);
     return surface;
   }
 

@@ -25,6 +25,9 @@ class Trajectory {
 
   const std::vector<StampedPose>& poses() const { return current_; }
   const StampedPose& recorded(std::size_t index) const { return recorded_[index].in_map; }
+  std::size_t memory_bytes() const {
+    return recorded_.capacity() * sizeof(RecordedPose) + current_.capacity() * sizeof(StampedPose);
+  }
   bool is_corrected() const { return correction_.has_value(); }
 
  private:

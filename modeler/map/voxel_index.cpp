@@ -3,10 +3,12 @@
 #include "modeler/map/voxel_index.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 namespace ribbon_mapper {
 namespace {
 
+constexpr double steps_per_voxel = 8.0;  // along a ribbon
 constexpr int bits = 21;  // of each coordinate: +-10^6 voxels
 constexpr VoxelKey mask = (VoxelKey{1} << bits) - 1;
 
@@ -39,36 +41,58 @@ VoxelKey VoxelIndex::key_of(const Eigen::Vector3d& point) const {
 
 void VoxelIndex::voxels_of(const PosedRibbon& ribbon, std::vector<VoxelKey>& keys) const {
   keys.clear();
-  for (const RibbonSample& sample : ribbon.ribbon->samples) {
-    const VoxelKey key = key_of(ribbon.T_world_base * sample.point.cast<double>());
+  const RibbonSamples& samples = ribbon.ribbon->samples;
+  const double from_m = samples.start_m, length_m = samples.length_m();
+  const int steps = static_cast<int>(std::ceil(steps_per_voxel * length_m / voxel_m_));
+  const double step_m = steps > 0 ? length_m / steps : 0.0;
+  for (int i = 0; i <= steps; ++i) {
+    const VoxelKey key = key_of(ribbon.centroid + (from_m + i * step_m) * ribbon.along);
     if (keys.empty() || keys.back() != key) keys.push_back(key);
   }
 }
 
 void VoxelIndex::enter(std::uint32_t slot, const std::vector<VoxelKey>& keys) {
-  if (touched_.size() <= slot) touched_.resize(slot + 1), asked_.resize(slot + 1, 0);
+  while (touched_.size() <= slot) {
+    part_of_.push_back(static_cast<std::uint32_t>(touched_.size()));
+    touched_.emplace_back();
+    asked_.push_back(0);
+  }
   std::vector<VoxelKey>& touched = touched_[slot];
   for (const VoxelKey key : keys) {
     const auto place = std::lower_bound(touched.begin(), touched.end(), key);
     if (place != touched.end() && *place == key) continue;
     touched.insert(place, key);
     for_each_around(key, [&](VoxelKey near) {
-      std::vector<std::uint32_t>& slots = slots_[near];
+      Slots& slots = slots_[near];
       if (std::find(slots.begin(), slots.end(), slot) == slots.end()) slots.push_back(slot);
     });
   }
 }
 
 void VoxelIndex::unite(std::uint32_t into, std::uint32_t from) {
-  const std::vector<VoxelKey> keys = std::move(touched_[from]);
-  touched_[from].clear();
-  for (const VoxelKey key : keys) {
-    for_each_around(key, [&](VoxelKey near) {
-      std::vector<std::uint32_t>& slots = slots_[near];
-      slots.erase(std::remove(slots.begin(), slots.end(), from), slots.end());
-    });
+  part_of_[from] = into;
+  std::vector<VoxelKey>& touched = touched_[into];
+  const auto middle = static_cast<std::ptrdiff_t>(touched.size());
+  touched.insert(touched.end(), touched_[from].begin(), touched_[from].end());
+  std::inplace_merge(touched.begin(), touched.begin() + middle, touched.end());
+  touched.erase(std::unique(touched.begin(), touched.end()), touched.end());
+  touched_[from] = {};
+}
+
+std::uint32_t VoxelIndex::whole_of(std::uint32_t slot) {
+  while (part_of_[slot] != slot) slot = part_of_[slot] = part_of_[part_of_[slot]];
+  return slot;
+}
+
+/// Each whole once, in the order of first appearance.
+void VoxelIndex::replace_parts(Slots& slots) {
+  std::size_t kept = 0;
+  for (std::size_t i = 0; i < slots.size(); ++i) {
+    const std::uint32_t whole = whole_of(slots[i]);
+    const auto end = slots.begin() + static_cast<std::ptrdiff_t>(kept);
+    if (std::find(slots.begin(), end, whole) == end) slots[kept++] = whole;
   }
-  enter(into, keys);
+  slots.resize(kept);
 }
 
 void VoxelIndex::near(const std::vector<VoxelKey>& keys, std::vector<std::uint32_t>& slots) {
@@ -77,7 +101,10 @@ void VoxelIndex::near(const std::vector<VoxelKey>& keys, std::vector<std::uint32
   for (const VoxelKey key : keys) {
     const auto found = slots_.find(key);
     if (found == slots_.end()) continue;
-    for (const std::uint32_t slot : found->second) {
+    Slots& here = found.value();
+    const auto is_part = [this](std::uint32_t slot) { return part_of_[slot] != slot; };
+    if (std::any_of(here.begin(), here.end(), is_part)) replace_parts(here);
+    for (const std::uint32_t slot : here) {
       if (asked_[slot] == question_) continue;
       asked_[slot] = question_;
       slots.push_back(slot);
@@ -86,10 +113,9 @@ void VoxelIndex::near(const std::vector<VoxelKey>& keys, std::vector<std::uint32
 }
 
 std::size_t VoxelIndex::memory_bytes() const {
-  std::size_t bytes = 0;
-  for (const auto& [key, slots] : slots_) {
-    bytes += sizeof(key) + sizeof(slots) + slots.capacity() * sizeof(slots[0]);
-  }
+  std::size_t bytes = slots_.bucket_count() * (sizeof(VoxelKey) + sizeof(Slots) + 8) +
+                      part_of_.capacity() * 2 * sizeof(std::uint32_t);
+  for (const auto& [key, slots] : slots_) bytes += slots.capacity() * sizeof(slots[0]);
   for (const auto& keys : touched_) bytes += sizeof(keys) + keys.capacity() * sizeof(VoxelKey);
   return bytes;
 }

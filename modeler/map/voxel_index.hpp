@@ -2,10 +2,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <Eigen/Core>
 #include <cstdint>
-#include <unordered_map>
 #include <vector>
 
+#include <tsl/robin_map.h>
+
+#include "modeler/map/key_hash.hpp"
 #include "modeler/map/posed_ribbon.hpp"
 
 namespace ribbon_mapper {
@@ -13,14 +16,16 @@ namespace ribbon_mapper {
 using VoxelKey = std::uint64_t;
 
 /// Which hypotheses are near a place. A hypothesis is entered in every voxel that it touches and in
-/// those next to it, so asking is one look-up per voxel.
+/// those next to it, so asking is one look-up per voxel. Those that became a part of another stay
+/// entered; whose part they are is found out when somebody asks.
 class VoxelIndex {
  public:
   explicit VoxelIndex(double voxel_m) : voxel_m_(voxel_m) {}
 
   VoxelKey key_of(const Eigen::Vector3d& point) const;
 
-  /// Voxels that a ribbon goes through, in its own order, without repetition of neighbours.
+  /// Voxels that a ribbon goes through, in its own order, without repetition of neighbours; not
+  /// those of which it cuts a corner only.
   void voxels_of(const PosedRibbon& ribbon, std::vector<VoxelKey>& keys) const;
 
   /// Enters a hypothesis (its slot) at the voxels that it is not yet entered for.
@@ -35,9 +40,15 @@ class VoxelIndex {
   std::size_t memory_bytes() const;
 
  private:
+  using Slots = std::vector<std::uint32_t>;
+
+  std::uint32_t whole_of(std::uint32_t slot);
+  void replace_parts(Slots& slots);
+
   double voxel_m_;
-  std::unordered_map<VoxelKey, std::vector<std::uint32_t>> slots_;  // near a voxel
-  std::vector<std::vector<VoxelKey>> touched_;                      // by slot, sorted
+  tsl::robin_map<VoxelKey, Slots, KeyHash> slots_;  // near a voxel
+  std::vector<std::vector<VoxelKey>> touched_;      // by slot, sorted
+  std::vector<std::uint32_t> part_of_;              // by slot; itself if it is a whole
   std::vector<std::uint32_t> asked_;  // number of the last question that a slot answered
   std::uint32_t question_ = 0;
 };

@@ -25,12 +25,33 @@ Neighbourhood support_of(const LineBuffer& buffer, Neighbourhood run, const Ribb
   return {std::min(run.begin, around.begin), std::max(run.end, around.end)};
 }
 
+/// -1 if the plane's normal looks away from the sensor.
+double side_of(const ScanLine& line, std::size_t beam, const PlaneFit& plane) {
+  return plane.normal().dot(line.directions[beam]) > 0.0 ? -1.0 : 1.0;
+}
+
+/// Calls function(begin, end) for successive stretches of a run, each as long as a sample.
+template <typename Function>
+void for_each_stretch(const ScanLine& line, std::size_t begin, std::size_t run_end,
+                      double length_m, const Function& function) {
+  const double square_m2 = length_m * length_m;
+  while (begin < run_end) {
+    std::size_t end = begin + 1;
+    while (end < run_end &&
+           (line.points[end] - line.points[begin]).squaredNorm() < square_m2) {
+      ++end;
+    }
+    function(begin, end);
+    begin = end;
+  }
+}
+
 }  // namespace
 
 RibbonExtraction::RibbonExtraction(const ScanConfig& scan, const RibbonConfig& config)
     : scan_(scan), config_(config), grid_(config.grid_cell_deg) {}
 
-const std::vector<Ribbon>& RibbonExtraction::extract(const LineBuffer& buffer) {
+const std::vector<Ribbon>& RibbonExtraction::extract(const LineBuffer& buffer, PointStore& store) {
   const ScanLine& line = buffer.middle();
   sensor_origin_ = line.origins[line.size() / 2];
   estimate_surfels(buffer, scan_, config_, surfels_);
@@ -38,7 +59,7 @@ const std::vector<Ribbon>& RibbonExtraction::extract(const LineBuffer& buffer) {
   find_runs(line);
   ribbons_.clear();
   taken_.assign(line.size(), 0);
-  for (const Run& run : runs_) make_ribbon(buffer, run);
+  for (const Run& run : runs_) make_ribbon(buffer, run, store);
   std::sort(ribbons_.begin(), ribbons_.end(),
             [](const Ribbon& a, const Ribbon& b) { return a.first_beam < b.first_beam; });
   return ribbons_;
@@ -142,7 +163,7 @@ bool RibbonExtraction::straddles_an_edge(const LineBuffer& buffer, const Run& co
   return offset > config_.bevel_sigmas * standard_error + config_.bevel_slack_m;
 }
 
-void RibbonExtraction::make_ribbon(const LineBuffer& buffer, const Run& run) {
+void RibbonExtraction::make_ribbon(const LineBuffer& buffer, const Run& run, PointStore& store) {
   const ScanLine& line = buffer.middle();
   const Neighbourhood support = support_of(buffer, {run.begin, run.end}, config_);
   if (support.size() == 0) return;
@@ -163,60 +184,86 @@ void RibbonExtraction::make_ribbon(const LineBuffer& buffer, const Run& run) {
   ribbon.first_beam = static_cast<std::uint32_t>(core.begin);
   ribbon.last_beam = static_cast<std::uint32_t>(core.end - 1);
   const Eigen::Vector3d chord = line.points[core.end - 1] - line.points[core.begin];
-  ribbon.length_m = chord.norm();
-  if (ribbon.length_m < config_.least_length_m) return;
-  const double side = plane.normal().dot(line.directions[core.begin]) > 0.0 ? -1.0 : 1.0;
-  ribbon.normal = T_base_odom.linear() * (side * plane.normal());
-  ribbon.along = T_base_odom.linear() * (chord / ribbon.length_m);
+  if (chord.norm() < config_.least_length_m) return;
+  const Eigen::Vector3d normal = side_of(line, core.begin, plane) * plane.normal();
+  const Eigen::Vector3d along = (chord - normal.dot(chord) * normal).normalized();
+  ribbon.normal = (T_base_odom.linear() * normal).cast<float>();
+  ribbon.along = (T_base_odom.linear() * along).cast<float>();
   const Eigen::Vector3d across = plane.normal().cross(chord).normalized();
   const double base_line_m = std::sqrt(across.dot(all.covariance() * across));
-  ribbon.sigma_across_rad = std::sqrt(plane.variances[0] / all.weight()) / base_line_m;
+  ribbon.sigma_across_rad =
+      static_cast<float>(std::sqrt(plane.variances[0] / all.weight()) / base_line_m);
   Moments moments = line.moments(core.begin, core.end);
   moments.spread(base_line_m * across);
-  ribbon.moments = moments.transformed(T_base_odom);
+  ribbon.spread = moments.transformed(T_base_odom);
+  double area_m2 = 0.0;
   for (std::size_t beam = core.begin; beam < core.end; ++beam) {
     taken_[beam] = 1;
-    ribbon.area_m2 += std::min(config_.area_cap_m2, surfel_area_m2(buffer, beam));
+    area_m2 += std::min(config_.area_cap_m2, surfel_area_m2(buffer, beam));
   }
-  sample(line, core, &plane, ribbon.samples);
-  ribbons_.push_back(std::move(ribbon));
+  ribbon.area_m2 = static_cast<float>(area_m2);
+  ribbon.samples = samples_of(line, core, plane, along, store);
+  ribbons_.push_back(ribbon);
 }
 
-/// Means over the sample length; without a plane, points are as good as on it.
-void RibbonExtraction::sample(const ScanLine& line, const Run& run, const PlaneFit* plane,
-                              std::vector<RibbonSample>& samples) const {
-  const Pose T_base_odom = line.T_odom_base.inverse(Eigen::Isometry);
-  for (std::size_t begin = run.begin; begin < run.end;) {
-    std::size_t end = begin + 1;
-    while (end < run.end &&
-           (line.points[end] - line.points[begin]).norm() < config_.sample_length_m) {
-      ++end;
-    }
-    const Moments moments = line.moments(begin, end);
-    RibbonSample sample;
-    sample.point = (T_base_odom * moments.mean()).cast<float>();
-    if (plane) {
-      sample.square_m2 =
-          static_cast<float>(moments.mean_square_distance(plane->normal(), plane->d_m()));
-    }
-    sample.count = static_cast<std::uint32_t>(end - begin);
-    samples.push_back(sample);
-    begin = end;
-  }
+RibbonSamples RibbonExtraction::samples_of(const ScanLine& line, const Run& run,
+                                           const PlaneFit& plane, const Eigen::Vector3d& along,
+                                           PointStore& store) {
+  const Eigen::Vector3d centroid = line.moments(run.begin, run.end).mean();
+  const Eigen::Vector3d normal = side_of(line, run.begin, plane) * plane.normal();
+  const double d_m = -normal.dot(centroid);
+  for_each_stretch(line, run.begin, run.end, config_.sample_length_m,
+                   [&](std::size_t begin, std::size_t end) {
+                     const Moments moments = line.moments(begin, end);
+                     const Eigen::Vector3d mean = moments.mean();
+                     packer_.add(along.dot(mean - centroid), normal.dot(mean) + d_m,
+                                 moments.mean_square_distance(normal, d_m), end - begin);
+                   });
+  RibbonSamples samples = packer_.pack();
+  samples.first = store.samples.keep(samples.first, samples.size);
+  return samples;
 }
 
-StrayPoints RibbonExtraction::strays(const LineBuffer& buffer) const {
-  const ScanLine& line = buffer.middle();
-  StrayPoints strays;
-  strays.sensor = (line.T_odom_base.inverse(Eigen::Isometry) * sensor_origin_).cast<float>();
+void RibbonExtraction::collect_strays(const ScanLine& line) {
+  strays_.clear();
   const auto is_stray = [&](std::size_t beam) { return line.has_return(beam) && !taken_[beam]; };
   for (std::size_t begin = 0; begin < line.size(); ++begin) {
     if (!is_stray(begin)) continue;
-    std::size_t end = begin + 1;
-    while (end < line.end_of_segment[begin] && is_stray(end)) ++end;
-    sample(line, {begin, end, 0.0}, nullptr, strays.samples);
-    begin = end - 1;
+    std::size_t run_end = begin + 1;
+    while (run_end < line.end_of_segment[begin] && is_stray(run_end)) ++run_end;
+    for_each_stretch(line, begin, run_end, config_.sample_length_m,
+                     [&](std::size_t first, std::size_t end) {
+                       strays_.push_back({line.moments(first, end).mean() - sensor_origin_,
+                                          end - first});
+                     });
+    begin = run_end - 1;
   }
+}
+
+StrayPoints RibbonExtraction::strays(const LineBuffer& buffer, PointStore& store) {
+  const ScanLine& line = buffer.middle();
+  collect_strays(line);
+  const Pose T_base_odom = line.T_odom_base.inverse(Eigen::Isometry);
+  StrayPoints strays;
+  strays.sensor = (T_base_odom * sensor_origin_).cast<float>();
+  double most_m = 0.0;
+  for (const Stray& stray : strays_) {
+    most_m = std::max(most_m, stray.from_sensor.cwiseAbs().sum());  // more than any of its turns
+  }
+  strays.step_m = std::max(strays.step_m, static_cast<float>(most_m / StrayPoints::most_steps));
+  packed_strays_.clear();
+  for (const Stray& stray : strays_) {
+    const Eigen::Vector3d steps = T_base_odom.linear() * stray.from_sensor / strays.step_m;
+    PackedPoint packed;
+    for (int i = 0; i < 3; ++i) {
+      packed.from_sensor[i] = static_cast<std::int16_t>(std::lround(steps[i]));
+    }
+    packed.count = static_cast<std::uint16_t>(
+        std::min<std::size_t>(stray.count, StrayPoints::most_count));
+    packed_strays_.push_back(packed);
+  }
+  strays.size = static_cast<std::uint32_t>(packed_strays_.size());
+  strays.first = store.strays.keep(packed_strays_.data(), packed_strays_.size());
   return strays;
 }
 

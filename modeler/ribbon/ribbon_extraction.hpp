@@ -5,11 +5,19 @@
 #include <vector>
 
 #include "modeler/ribbon/orientation_grid.hpp"
+#include "modeler/ribbon/packed_store.hpp"
 #include "modeler/ribbon/ribbon.hpp"
+#include "modeler/ribbon/sample_packer.hpp"
 #include "modeler/ribbon/stray_points.hpp"
 #include "modeler/ribbon/surfel.hpp"
 
 namespace ribbon_mapper {
+
+/// Where the samples of ribbons and the stray points are kept.
+struct PointStore {
+  PackedStore<PackedSample> samples;
+  PackedStore<PackedPoint> strays;
+};
 
 /// Section 4.2 on the three lines of a full buffer. Keeps its working memory from line to line, no
 /// state beyond it.
@@ -18,11 +26,11 @@ class RibbonExtraction {
   RibbonExtraction(const ScanConfig& scan, const RibbonConfig& config);
 
   /// Ribbons of the buffer's middle line in the order of its beams; `pose` is left 0.
-  /// Valid until the next call.
-  const std::vector<Ribbon>& extract(const LineBuffer& buffer);
+  /// Valid until the next call, their samples as long as the store.
+  const std::vector<Ribbon>& extract(const LineBuffer& buffer, PointStore& store);
 
   /// What is left of that line.
-  StrayPoints strays(const LineBuffer& buffer) const;
+  StrayPoints strays(const LineBuffer& buffer, PointStore& store);
 
  private:
   static constexpr int no_cluster = -1;
@@ -35,10 +43,11 @@ class RibbonExtraction {
   void cluster_orientations();
   void split_by_distance(std::vector<std::size_t>& members);
   void find_runs(const ScanLine& line);
-  void make_ribbon(const LineBuffer& buffer, const Run& run);
+  void make_ribbon(const LineBuffer& buffer, const Run& run, PointStore& store);
   Run grow(const ScanLine& line, Run run, const PlaneFit& plane) const;
-  void sample(const ScanLine& line, const Run& run, const PlaneFit* plane,
-              std::vector<RibbonSample>& samples) const;
+  RibbonSamples samples_of(const ScanLine& line, const Run& run, const PlaneFit& plane,
+                           const Eigen::Vector3d& along, PointStore& store);
+  void collect_strays(const ScanLine& line);
   bool straddles_an_edge(const LineBuffer& buffer, const Run& core, const PlaneFit& plane) const;
 
   ScanConfig scan_;
@@ -54,6 +63,13 @@ class RibbonExtraction {
   std::vector<Run> runs_;
   std::vector<char> taken_;  // beams that belong to a ribbon
   std::vector<Ribbon> ribbons_;
+  SamplePacker packer_;
+  struct Stray {
+    Eigen::Vector3d from_sensor;
+    std::size_t count;
+  };
+  std::vector<Stray> strays_;
+  std::vector<PackedPoint> packed_strays_;
 };
 
 }  // namespace ribbon_mapper

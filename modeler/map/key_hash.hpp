@@ -1,0 +1,25 @@
+// SPDX-FileCopyrightText: 2026 ribbon_mapper authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+
+namespace ribbon_mapper {
+
+/// Spreads keys that are packed from coordinates over a table (finalizer of MurmurHash3).
+struct KeyHash {
+  std::size_t operator()(std::uint64_t key) const {
+    key = (key ^ (key >> 33)) * 0xff51afd7ed558ccdULL;
+    key = (key ^ (key >> 33)) * 0xc4ceb9fe1a85ec53ULL;
+    return key ^ (key >> 33);
+  }
+};
+
+/// Two integers as one key.
+inline std::uint64_t pair_key(std::int32_t a, std::int32_t b) {
+  return (static_cast<std::uint64_t>(static_cast<std::uint32_t>(a)) << 32) |
+         static_cast<std::uint32_t>(b);
+}
+
+}  // namespace ribbon_mapper
