@@ -4,32 +4,52 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdlib>
 
 namespace ribbon_mapper {
 namespace {
 
 constexpr double steps_per_voxel = 8.0;  // along a ribbon
 constexpr int bits = 21;  // of each coordinate: +-10^6 voxels
+constexpr std::int64_t bias = std::int64_t{1} << (bits - 1);  // so that neighbours differ by sums
 constexpr VoxelKey mask = (VoxelKey{1} << bits) - 1;
 
 VoxelKey pack(std::int64_t x, std::int64_t y, std::int64_t z) {
-  return ((static_cast<VoxelKey>(x) & mask) << (2 * bits)) |
-         ((static_cast<VoxelKey>(y) & mask) << bits) | (static_cast<VoxelKey>(z) & mask);
+  return ((static_cast<VoxelKey>(x + bias) & mask) << (2 * bits)) |
+         ((static_cast<VoxelKey>(y + bias) & mask) << bits) |
+         (static_cast<VoxelKey>(z + bias) & mask);
 }
 
-/// The voxel itself and the 26 next to it.
+/// From one voxel to another.
+struct Step {
+  int x, y, z;
+  bool is_short() const { return std::abs(x) <= 1 && std::abs(y) <= 1 && std::abs(z) <= 1; }
+};
+
+Step step_between(VoxelKey from, VoxelKey to) {
+  const auto along = [&](int shift) {
+    return static_cast<int>((to >> shift) & mask) - static_cast<int>((from >> shift) & mask);
+  };
+  return {along(2 * bits), along(bits), along(0)};
+}
+
+/// Calls function(key) for the voxel itself and the 26 next to it, but those that are next to
+/// `done` as well.
 template <typename Function>
-void for_each_around(VoxelKey key, const Function& function) {
+void for_each_around(VoxelKey key, VoxelKey done, const Function& function) {
+  const Step from_done = step_between(done, key);
   for (int dx = -1; dx <= 1; ++dx) {
     for (int dy = -1; dy <= 1; ++dy) {
       for (int dz = -1; dz <= 1; ++dz) {
-        function(pack(static_cast<std::int64_t>(key >> (2 * bits)) + dx,
-                      static_cast<std::int64_t>(key >> bits) + dy,
-                      static_cast<std::int64_t>(key) + dz));
+        if (Step{from_done.x + dx, from_done.y + dy, from_done.z + dz}.is_short()) continue;
+        function(key + static_cast<VoxelKey>(dx) * (VoxelKey{1} << (2 * bits)) +
+                 static_cast<VoxelKey>(dy) * (VoxelKey{1} << bits) + static_cast<VoxelKey>(dz));
       }
     }
   }
 }
+
+constexpr VoxelKey nowhere = 0;  // the corner of space, a million voxels away
 
 }  // namespace
 
@@ -62,10 +82,7 @@ void VoxelIndex::enter(std::uint32_t slot, const std::vector<VoxelKey>& keys) {
     const auto place = std::lower_bound(touched.begin(), touched.end(), key);
     if (place != touched.end() && *place == key) continue;
     touched.insert(place, key);
-    for_each_around(key, [&](VoxelKey near) {
-      Slots& slots = slots_[near];
-      if (std::find(slots.begin(), slots.end(), slot) == slots.end()) slots.push_back(slot);
-    });
+    slots_[key].push_back(slot);
   }
 }
 
@@ -98,17 +115,24 @@ void VoxelIndex::replace_parts(Slots& slots) {
 void VoxelIndex::near(const std::vector<VoxelKey>& keys, std::vector<std::uint32_t>& slots) {
   slots.clear();
   ++question_;
+  VoxelKey last = nowhere;
   for (const VoxelKey key : keys) {
-    const auto found = slots_.find(key);
-    if (found == slots_.end()) continue;
-    Slots& here = found.value();
-    const auto is_part = [this](std::uint32_t slot) { return part_of_[slot] != slot; };
-    if (std::any_of(here.begin(), here.end(), is_part)) replace_parts(here);
-    for (const std::uint32_t slot : here) {
-      if (asked_[slot] == question_) continue;
-      asked_[slot] = question_;
-      slots.push_back(slot);
-    }
+    for_each_around(key, last, [&](VoxelKey around) { append_slots_of(around, slots); });
+    last = key;
+  }
+}
+
+/// Those that the question was not yet answered with.
+void VoxelIndex::append_slots_of(VoxelKey key, std::vector<std::uint32_t>& slots) {
+  const auto found = slots_.find(key);
+  if (found == slots_.end()) return;
+  Slots& here = found.value();
+  const auto is_part = [this](std::uint32_t slot) { return part_of_[slot] != slot; };
+  if (std::any_of(here.begin(), here.end(), is_part)) replace_parts(here);
+  for (const std::uint32_t slot : here) {
+    if (asked_[slot] == question_) continue;
+    asked_[slot] = question_;
+    slots.push_back(slot);
   }
 }
 

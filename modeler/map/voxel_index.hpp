@@ -15,9 +15,8 @@ namespace ribbon_mapper {
 
 using VoxelKey = std::uint64_t;
 
-/// Which hypotheses are near a place. A hypothesis is entered in every voxel that it touches and in
-/// those next to it, so asking is one look-up per voxel. Those that became a part of another stay
-/// entered; whose part they are is found out when somebody asks.
+/// Which hypotheses are near a place: those that touch its voxel or one next to it. Those that
+/// became a part of another stay entered; whose part they are is found out when somebody asks.
 class VoxelIndex {
  public:
   explicit VoxelIndex(double voxel_m) : voxel_m_(voxel_m) {}
@@ -44,9 +43,10 @@ class VoxelIndex {
 
   std::uint32_t whole_of(std::uint32_t slot);
   void replace_parts(Slots& slots);
+  void append_slots_of(VoxelKey key, std::vector<std::uint32_t>& slots);
 
   double voxel_m_;
-  tsl::robin_map<VoxelKey, Slots, KeyHash> slots_;  // near a voxel
+  tsl::robin_map<VoxelKey, Slots, KeyHash> slots_;  // that touch a voxel
   std::vector<std::vector<VoxelKey>> touched_;      // by slot, sorted
   std::vector<std::uint32_t> part_of_;              // by slot; itself if it is a whole
   std::vector<std::uint32_t> asked_;  // number of the last question that a slot answered
