@@ -13,23 +13,26 @@
 namespace ribbon_mapper {
 namespace {
 
+int floor_div(int a, int b) { return a >= 0 ? a / b : -((b - 1 - a) / b); }
+
 /// Cells fall into blocks so small that all in a block are connected; blocks are then joined where
-/// two of their cells are near enough.
+/// two of their cells are near enough. Within a block, cells that follow each other are one run.
 class Linkage {
  public:
   Linkage(const std::vector<PlaneCell>& cells, double gap_in_cells)
-      : cells_(cells), gap_square_(gap_in_cells * gap_in_cells) {
+      : gap_square_(gap_in_cells * gap_in_cells) {
     side_ = std::max(1, static_cast<int>(gap_in_cells / M_SQRT2) + 1);
     if (std::hypot(side_ - 1, side_ - 1) > gap_in_cells) --side_;
     reach_ = static_cast<int>(std::ceil(gap_in_cells / side_));
-    sort_into_blocks();
+    find_runs(cells);
+    sort_runs_by_block();
     for (std::uint32_t block = 0; block < places_.size(); ++block) join_neighbours(block);
   }
 
   /// Of each cell, the first block of its component.
   std::vector<std::uint32_t> roots() {
-    std::vector<std::uint32_t> roots(cells_.size());
-    for (std::size_t i = 0; i < roots.size(); ++i) roots[i] = root_of(block_of_[i]);
+    std::vector<std::uint32_t> roots;
+    for (const Run& run : runs_) roots.resize(run.end_cell, root_of(run.block));
     return roots;
   }
 
@@ -37,30 +40,38 @@ class Linkage {
   struct Place {
     std::int32_t u, v;
   };
-
-  static int floor_div(int a, int b) { return a >= 0 ? a / b : -((b - 1 - a) / b); }
+  struct Run {
+    std::int32_t v, u_first, u_last;
+    std::uint32_t end_cell, block;
+  };
 
   /// Blocks are numbered by their first cells.
-  void sort_into_blocks() {
-    for (const PlaneCell& cell : cells_) {
-      const Place place{floor_div(cell.u, side_), floor_div(cell.v, side_)};
-      const bool is_last = !block_of_.empty() && places_[block_of_.back()].u == place.u &&
-                           places_[block_of_.back()].v == place.v;
-      if (is_last) {
-        block_of_.push_back(block_of_.back());
-        continue;
+  void find_runs(const std::vector<PlaneCell>& cells) {
+    for (std::uint32_t i = 0; i < cells.size();) {
+      const PlaneCell& first = cells[i];
+      const Place place{floor_div(first.u, side_), floor_div(first.v, side_)};
+      const std::int32_t u_end = (place.u + 1) * side_;
+      Run run{first.v, first.u, first.u, i + 1, 0};
+      while (run.end_cell < cells.size() && cells[run.end_cell].v == run.v &&
+             cells[run.end_cell].u == run.u_last + 1 && run.u_last + 1 < u_end) {
+        ++run.u_last, ++run.end_cell;
       }
       const auto number = static_cast<std::uint32_t>(places_.size());
       const auto [found, is_new] = blocks_.try_emplace(pair_key(place.u, place.v), number);
       if (is_new) places_.push_back(place);
-      block_of_.push_back(found->second);
+      run.block = found->second;
+      runs_.push_back(run);
+      i = run.end_cell;
     }
-    first_member_.assign(places_.size() + 1, 0);
-    for (const std::uint32_t block : block_of_) ++first_member_[block + 1];
-    std::partial_sum(first_member_.begin(), first_member_.end(), first_member_.begin());
-    members_.resize(cells_.size());
-    std::vector<std::uint32_t> next(first_member_.begin(), first_member_.end() - 1);
-    for (std::uint32_t i = 0; i < cells_.size(); ++i) members_[next[block_of_[i]]++] = i;
+  }
+
+  void sort_runs_by_block() {
+    first_run_.assign(places_.size() + 1, 0);
+    for (const Run& run : runs_) ++first_run_[run.block + 1];
+    std::partial_sum(first_run_.begin(), first_run_.end(), first_run_.begin());
+    runs_of_block_.resize(runs_.size());
+    std::vector<std::uint32_t> next(first_run_.begin(), first_run_.end() - 1);
+    for (std::uint32_t i = 0; i < runs_.size(); ++i) runs_of_block_[next[runs_[i].block]++] = i;
     parent_.resize(places_.size());
     std::iota(parent_.begin(), parent_.end(), 0u);
   }
@@ -77,10 +88,11 @@ class Linkage {
   }
 
   bool are_near(std::uint32_t a, std::uint32_t b) const {
-    for (std::uint32_t i = first_member_[a]; i < first_member_[a + 1]; ++i) {
-      for (std::uint32_t j = first_member_[b]; j < first_member_[b + 1]; ++j) {
-        const PlaneCell &p = cells_[members_[i]], &q = cells_[members_[j]];
-        const double du = p.u - q.u, dv = p.v - q.v;
+    for (std::uint32_t i = first_run_[a]; i < first_run_[a + 1]; ++i) {
+      for (std::uint32_t j = first_run_[b]; j < first_run_[b + 1]; ++j) {
+        const Run &p = runs_[runs_of_block_[i]], &q = runs_[runs_of_block_[j]];
+        const double du = std::max({0, q.u_first - p.u_last, p.u_first - q.u_last});
+        const double dv = p.v - q.v;
         if (du * du + dv * dv <= gap_square_) return true;
       }
     }
@@ -96,14 +108,13 @@ class Linkage {
     parent_[std::max(a, b)] = std::min(a, b);
   }
 
-  const std::vector<PlaneCell>& cells_;
   double gap_square_;
   int side_, reach_;
+  std::vector<Run> runs_;
   tsl::robin_map<std::uint64_t, std::uint32_t, KeyHash> blocks_;
-  std::vector<Place> places_;                          // of each block
-  std::vector<std::uint32_t> block_of_;                // of each cell
-  std::vector<std::uint32_t> first_member_, members_;  // of each block; cells
-  std::vector<std::uint32_t> parent_;                  // of each block
+  std::vector<Place> places_;                             // of each block
+  std::vector<std::uint32_t> first_run_, runs_of_block_;  // of each block
+  std::vector<std::uint32_t> parent_;                     // of each block
 };
 
 }  // namespace

@@ -72,6 +72,7 @@ double membership(const PosedRibbon& ribbon, const Hypothesis& plane,
 bool are_one_plane(const Hypothesis& larger, const Hypothesis& smaller,
                    const AssociationGates& gates) {
   if (larger.normal().dot(smaller.normal()) < least_cosine_of_side) return false;
+  if (std::abs(larger.signed_distance(smaller.fit().mean)) > gates.distance_m) return false;
   const double ms = smaller.moments().mean_square_distance(larger.normal(), larger.d_m());
   if (ms > square(gates.distance_m)) return false;
   for (int axis = 1; axis < 3; ++axis) {

@@ -20,6 +20,7 @@ void PlaneMap::add(const PosedRibbon& ribbon, std::uint32_t index) {
   std::uint32_t slot = 0;
   others_.clear();
   for (const std::uint32_t candidate : near_) {
+    if (!sides_[candidate].may_hold(ribbon, gates_)) continue;
     const double probability = membership(ribbon, hypotheses_[candidate], gates_);
     if (probability <= 0.0) continue;
     others_.push_back(candidate);
@@ -28,9 +29,11 @@ void PlaneMap::add(const PosedRibbon& ribbon, std::uint32_t index) {
   if (others_.empty()) {
     slot = static_cast<std::uint32_t>(hypotheses_.size());
     hypotheses_.emplace_back(next_id_++);
+    sides_.emplace_back();
     best = 1.0;
   }
   hypotheses_[slot].add(ribbon, {index, static_cast<float>(best)});
+  sides_[slot] = hypotheses_[slot];
   index_.enter(slot, voxels_);
   if (others_.size() > 1) merge_with(others_, slot);
 }
@@ -52,6 +55,7 @@ void PlaneMap::merge(std::uint32_t into, std::uint32_t from) {
   const std::int64_t id = std::min(hypotheses_[into].id, hypotheses_[from].id);
   hypotheses_[into].absorb(hypotheses_[from]);
   hypotheses_[into].id = id;
+  sides_[into] = hypotheses_[into];
   hypotheses_[from] = Hypothesis(hypotheses_[from].id);
   index_.unite(into, from);
 }
@@ -75,10 +79,19 @@ std::vector<Hypothesis> PlaneMap::merged_hypotheses() const {
   std::stable_sort(order.begin(), order.end(), [this](std::uint32_t a, std::uint32_t b) {
     return hypotheses_[a].area_m2() > hypotheses_[b].area_m2();
   });
+  // One that nothing near has changed since it was looked at has nothing new to absorb.
+  std::vector<char> is_open(hypotheses_.size(), 1);
   bool changed = true;
   while (changed) {
     changed = false;
-    for (const std::uint32_t slot : order) changed |= work.absorb_neighbours(slot);
+    for (const std::uint32_t slot : order) {
+      if (!is_open[slot]) continue;
+      is_open[slot] = 0;
+      if (!work.absorb_neighbours(slot)) continue;
+      changed = true;
+      work.index_.near(work.index_.touched_by(slot), work.near_);
+      for (const std::uint32_t near : work.near_) is_open[near] = 1;
+    }
   }
   return work.hypotheses();
 }
