@@ -8,7 +8,7 @@
 #include <tsl/robin_map.h>
 
 #include "modeler/map/cell_grid.hpp"
-#include "modeler/map/key_hash.hpp"
+#include "modeler/map/grid_keys.hpp"
 
 namespace ribbon_mapper {
 namespace {

@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 
 namespace ribbon_mapper {
 namespace {
@@ -38,18 +37,19 @@ CellGrid::CellGrid(const Plane& frame) {
 }
 
 CellGrid::Tile& CellGrid::tile_at(int column, int row) {
-  if (last_ && last_->column == column && last_->row == row) return *last_;
   std::unique_ptr<Tile>& tile = tiles_[pair_key(column, row)];
   if (!tile) tile = std::make_unique<Tile>(column, row);
-  last_ = tile.get();
-  return *last_;
+  return *tile;
 }
 
-CellGrid::Sums& CellGrid::at(double u, double v) {
-  const int column = static_cast<int>(std::floor(u)), row = static_cast<int>(std::floor(v));
-  Tile& tile = tile_at(column >> tile_bits, row >> tile_bits);
+inline CellGrid::Sums& CellGrid::at(double u, double v) {
+  const int column = floor_to_int(u), row = floor_to_int(v);
+  const int tile_column = column >> tile_bits, tile_row = row >> tile_bits;
+  if (!last_ || last_->column != tile_column || last_->row != tile_row) {
+    last_ = &tile_at(tile_column, tile_row);
+  }
   constexpr int mask = tile_side - 1;
-  return tile.sums[(row & mask) * tile_side + (column & mask)];
+  return last_->sums[(row & mask) * tile_side + (column & mask)];
 }
 
 void CellGrid::add(const PosedRibbon& ribbon) {

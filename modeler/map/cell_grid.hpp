@@ -9,7 +9,7 @@
 
 #include <tsl/robin_map.h>
 
-#include "modeler/map/key_hash.hpp"
+#include "modeler/map/grid_keys.hpp"
 #include "modeler/map/plane.hpp"
 #include "modeler/map/posed_ribbon.hpp"
 

@@ -4,10 +4,8 @@
 
 #include <Eigen/Core>
 #include <cstdint>
+#include <vector>
 
-#include <tsl/robin_set.h>
-
-#include "modeler/map/key_hash.hpp"
 #include "modeler/map/plane.hpp"
 
 namespace ribbon_mapper {
@@ -25,11 +23,10 @@ class Footprint {
   const Plane& plane() const { return *plane_; }
 
  private:
-  std::uint64_t block_at(double u_m, double v_m, int du, int dv) const;
-
   const Plane* plane_;
-  double reach_m_;
-  tsl::robin_set<std::uint64_t, KeyHash> blocks_;
+  double blocks_per_m_;
+  int u0_ = 0, v0_ = 0, columns_ = 0, rows_ = 0;
+  std::vector<bool> is_beside_;  // of each block: it or one around it holds a cell
 };
 
 }  // namespace ribbon_mapper

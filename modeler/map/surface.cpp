@@ -6,8 +6,10 @@
 #include <cmath>
 #include <map>
 
+#include <tsl/robin_map.h>
+
 #include "modeler/map/footprint.hpp"
-#include "modeler/map/voxel_index.hpp"
+#include "modeler/map/voxel_key.hpp"
 
 namespace ribbon_mapper {
 namespace {
@@ -48,29 +50,54 @@ Plane frame_of(const Hypothesis& hypothesis, const PlaneMapConfig& config) {
   return plane;
 }
 
-constexpr double voxel_m = 1.0;
-
-VoxelIndex index_of(const std::vector<Surface>& surfaces) {
-  VoxelIndex index(voxel_m);
-  for (std::uint32_t slot = 0; slot < surfaces.size(); ++slot) {
-    const Plane& plane = surfaces[slot].plane();
-    std::vector<VoxelKey> keys;
-    for (const PlaneCell& cell : plane.cells) {
-      const VoxelKey key = index.key_of(cell_centre(plane, cell));
-      if (keys.empty() || keys.back() != key) keys.push_back(key);
-    }
-    std::sort(keys.begin(), keys.end());
-    keys.erase(std::unique(keys.begin(), keys.end()), keys.end());
-    index.enter(slot, keys);
+/// Which surfaces may be near a point, by voxels much wider than the reach of a footprint.
+class SurfaceIndex {
+ public:
+  explicit SurfaceIndex(const std::vector<Surface>& surfaces) {
+    for (std::uint32_t i = 0; i < surfaces.size(); ++i) enter(surfaces[i].plane(), i);
   }
-  return index;
-}
+
+  const std::vector<std::uint32_t>& near(const Eigen::Vector3d& point) {
+    const VoxelKey key = voxel_key(point, voxel_m);
+    if (key != last_key_) {
+      last_key_ = key;
+      const auto found = surfaces_.find(key);
+      last_ = found == surfaces_.end() ? nullptr : &found->second;
+    }
+    return last_ ? *last_ : none_;
+  }
+
+ private:
+  static constexpr double voxel_m = 1.0;
+
+  void enter(const Plane& plane, std::uint32_t surface) {
+    keys_.clear();
+    for (const PlaneCell& cell : plane.cells) {
+      const VoxelKey key = voxel_key(cell_centre(plane, cell), voxel_m);
+      if (keys_.empty() || keys_.back() != key) keys_.push_back(key);
+    }
+    std::sort(keys_.begin(), keys_.end());
+    keys_.erase(std::unique(keys_.begin(), keys_.end()), keys_.end());
+    for (const VoxelKey key : keys_) {
+      for_each_around(key, nowhere, [&](VoxelKey around) {
+        std::vector<std::uint32_t>& here = surfaces_[around];
+        if (here.empty() || here.back() != surface) here.push_back(surface);
+      });
+    }
+  }
+
+  tsl::robin_map<VoxelKey, std::vector<std::uint32_t>, KeyHash> surfaces_;
+  std::vector<VoxelKey> keys_;  // scratch
+  VoxelKey last_key_ = nowhere;
+  const std::vector<std::uint32_t>* last_ = nullptr;
+  const std::vector<std::uint32_t> none_;
+};
 
 /// Finds the surface that a single point lies on.
 class StrayTaker {
  public:
   StrayTaker(const PlaneMapConfig& config, std::vector<Surface>& surfaces)
-      : on_plane_m_(config.on_plane_m), surfaces_(surfaces), index_(index_of(surfaces)) {
+      : on_plane_m_(config.on_plane_m), surfaces_(surfaces), index_(surfaces) {
     for (const Surface& surface : surfaces) {
       footprints_.emplace_back(surface.plane(), config.beside_plane_m);
     }
@@ -115,11 +142,9 @@ class StrayTaker {
   /// The nearest of those that face the way that the point was seen from; none if all are too far.
   template <typename Faces>
   Surface* surface_of(const Eigen::Vector3d& point, const Faces& faces) {
-    const VoxelKey key = index_.key_of(point);
-    if (keys_.empty() || keys_[0] != key) keys_.assign(1, key), index_.near(keys_, near_);
     Surface* nearest = nullptr;
     double least_m = on_plane_m_;
-    for (const std::uint32_t slot : near_) {
+    for (const std::uint32_t slot : index_.near(point)) {
       const Plane& plane = surfaces_[slot].plane();
       const double distance = std::abs(plane.normal.dot(point) + plane.d_m);
       if (distance > least_m || !faces(plane)) continue;
@@ -131,10 +156,8 @@ class StrayTaker {
 
   double on_plane_m_;
   std::vector<Surface>& surfaces_;
-  VoxelIndex index_;
+  SurfaceIndex index_;
   std::vector<Footprint> footprints_;
-  std::vector<VoxelKey> keys_;      // of the last point
-  std::vector<std::uint32_t> near_;  // surfaces near it
   std::map<Surface*, std::uint32_t> given_;  // points of one ribbon
 };
 

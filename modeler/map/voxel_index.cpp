@@ -4,60 +4,13 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdlib>
 
 namespace ribbon_mapper {
 namespace {
 
 constexpr double steps_per_voxel = 8.0;  // along a ribbon
-constexpr int bits = 21;  // of each coordinate: +-10^6 voxels
-constexpr std::int64_t bias = std::int64_t{1} << (bits - 1);  // so that neighbours differ by sums
-constexpr VoxelKey mask = (VoxelKey{1} << bits) - 1;
-
-VoxelKey pack(std::int64_t x, std::int64_t y, std::int64_t z) {
-  return ((static_cast<VoxelKey>(x + bias) & mask) << (2 * bits)) |
-         ((static_cast<VoxelKey>(y + bias) & mask) << bits) |
-         (static_cast<VoxelKey>(z + bias) & mask);
-}
-
-/// From one voxel to another.
-struct Step {
-  int x, y, z;
-  bool is_short() const { return std::abs(x) <= 1 && std::abs(y) <= 1 && std::abs(z) <= 1; }
-};
-
-Step step_between(VoxelKey from, VoxelKey to) {
-  const auto along = [&](int shift) {
-    return static_cast<int>((to >> shift) & mask) - static_cast<int>((from >> shift) & mask);
-  };
-  return {along(2 * bits), along(bits), along(0)};
-}
-
-/// Calls function(key) for the voxel itself and the 26 next to it, but those that are next to
-/// `done` as well.
-template <typename Function>
-void for_each_around(VoxelKey key, VoxelKey done, const Function& function) {
-  const Step from_done = step_between(done, key);
-  for (int dx = -1; dx <= 1; ++dx) {
-    for (int dy = -1; dy <= 1; ++dy) {
-      for (int dz = -1; dz <= 1; ++dz) {
-        if (Step{from_done.x + dx, from_done.y + dy, from_done.z + dz}.is_short()) continue;
-        function(key + static_cast<VoxelKey>(dx) * (VoxelKey{1} << (2 * bits)) +
-                 static_cast<VoxelKey>(dy) * (VoxelKey{1} << bits) + static_cast<VoxelKey>(dz));
-      }
-    }
-  }
-}
-
-constexpr VoxelKey nowhere = 0;  // the corner of space, a million voxels away
 
 }  // namespace
-
-VoxelKey VoxelIndex::key_of(const Eigen::Vector3d& point) const {
-  const Eigen::Vector3d place = (point / voxel_m_).array().floor();
-  return pack(static_cast<std::int64_t>(place.x()), static_cast<std::int64_t>(place.y()),
-              static_cast<std::int64_t>(place.z()));
-}
 
 void VoxelIndex::voxels_of(const PosedRibbon& ribbon, std::vector<VoxelKey>& keys) const {
   keys.clear();
@@ -66,7 +19,8 @@ void VoxelIndex::voxels_of(const PosedRibbon& ribbon, std::vector<VoxelKey>& key
   const int steps = static_cast<int>(std::ceil(steps_per_voxel * length_m / voxel_m_));
   const double step_m = steps > 0 ? length_m / steps : 0.0;
   for (int i = 0; i <= steps; ++i) {
-    const VoxelKey key = key_of(ribbon.centroid + (from_m + i * step_m) * ribbon.along);
+    const VoxelKey key =
+        voxel_key(ribbon.centroid + (from_m + i * step_m) * ribbon.along, voxel_m_);
     if (keys.empty() || keys.back() != key) keys.push_back(key);
   }
 }

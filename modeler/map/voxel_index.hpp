@@ -2,26 +2,21 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <Eigen/Core>
 #include <cstdint>
 #include <vector>
 
 #include <tsl/robin_map.h>
 
-#include "modeler/map/key_hash.hpp"
 #include "modeler/map/posed_ribbon.hpp"
+#include "modeler/map/voxel_key.hpp"
 
 namespace ribbon_mapper {
-
-using VoxelKey = std::uint64_t;
 
 /// Which hypotheses are near a place: those that touch its voxel or one next to it. Those that
 /// became a part of another stay entered; whose part they are is found out when somebody asks.
 class VoxelIndex {
  public:
   explicit VoxelIndex(double voxel_m) : voxel_m_(voxel_m) {}
-
-  VoxelKey key_of(const Eigen::Vector3d& point) const;
 
   /// Voxels that a ribbon goes through, in its own order, without repetition of neighbours; not
   /// those of which it cuts a corner only.

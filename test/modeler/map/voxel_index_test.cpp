@@ -27,7 +27,7 @@ bool are_neighbours(const Vector& a, const Vector& b) {
 
 Slots near(VoxelIndex& index, const Vector& point) {
   Slots slots;
-  index.near({index.key_of(point)}, slots);
+  index.near({voxel_key(point, voxel_m)}, slots);
   std::sort(slots.begin(), slots.end());
   return slots;
 }
@@ -40,7 +40,7 @@ TEST(VoxelIndex, FindsWhatIsInTheVoxelOrNextToIt) {
     std::vector<VoxelKey> keys;
     for (int i = 0; i < 5; ++i) {
       places[slot].push_back(random_point(random));
-      keys.push_back(index.key_of(places[slot].back()));
+      keys.push_back(voxel_key(places[slot].back(), voxel_m));
     }
     index.enter(slot, keys);
   }
@@ -58,8 +58,8 @@ TEST(VoxelIndex, FindsWhatIsInTheVoxelOrNextToIt) {
 
 TEST(VoxelIndex, WhatIsUnitedIsFoundUnderOneSlot) {
   VoxelIndex index(voxel_m);
-  index.enter(0, {index.key_of({0.1, 0.1, 0.1})});
-  index.enter(1, {index.key_of({2.1, 0.1, 0.1}), index.key_of({2.6, 0.1, 0.1})});
+  index.enter(0, {voxel_key({0.1, 0.1, 0.1}, voxel_m)});
+  index.enter(1, {voxel_key({2.1, 0.1, 0.1}, voxel_m), voxel_key({2.6, 0.1, 0.1}, voxel_m)});
   index.unite(0, 1);
   EXPECT_EQ(Slots{0}, near(index, {0.1, 0.1, 0.1}));
   EXPECT_EQ(Slots{0}, near(index, {2.6, 0.1, 0.1}));
@@ -69,7 +69,7 @@ TEST(VoxelIndex, WhatIsUnitedIsFoundUnderOneSlot) {
 
 TEST(VoxelIndex, FarAwayIsNowhere) {
   VoxelIndex index(voxel_m);
-  index.enter(0, {index.key_of({0.1, 0.1, 0.1})});
+  index.enter(0, {voxel_key({0.1, 0.1, 0.1}, voxel_m)});
   EXPECT_TRUE(near(index, {-400.0, 30.0, 2.0}).empty());
   EXPECT_TRUE(near(index, {1.1, 0.1, 0.1}).empty());
   EXPECT_EQ(Slots{0}, near(index, {-0.1, -0.1, -0.1}));

@@ -16,6 +16,12 @@ struct KeyHash {
   }
 };
 
+/// The largest integer that is not larger: without a call, which std::floor is on plain x86-64.
+inline std::int32_t floor_to_int(double x) {
+  const auto i = static_cast<std::int32_t>(x);
+  return i - (x < i ? 1 : 0);
+}
+
 /// Two integers as one key.
 inline std::uint64_t pair_key(std::int32_t a, std::int32_t b) {
   return (static_cast<std::uint64_t>(static_cast<std::uint32_t>(a)) << 32) |
