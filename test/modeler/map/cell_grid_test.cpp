@@ -36,30 +36,43 @@ Plane tilted_frame() {
   return frame;
 }
 
-/// A point in each of 100 x 40 cells, on both sides of the frame's origin, 1 cm thick.
+/// Across the frame, through its origin's surroundings, 1 cm thick; seen from a pose.
 Ribbon scattered_ribbon(const Plane& frame, std::mt19937& random, const Pose& pose) {
-  std::uniform_real_distribution<double> share(0.02, 0.98);
+  std::uniform_real_distribution<double> place_m(-2.0, 2.0);
   std::normal_distribution<double> height_m(0.0, 0.01);
-  Ribbon ribbon = ribbon_between({0, 0, 0}, {1, 0, 0}, {0, 0, 1});
-  ribbon.samples.clear();
-  for (const PlaneCell& cell : rectangle(100, 40, -50, -20)) {
-    const Eigen::Vector3d p = frame.origin + height_m(random) * frame.normal +
-                              (cell.u + share(random)) * frame.cell_size_m * frame.axis_u +
-                              (cell.v + share(random)) * frame.cell_size_m * frame.axis_v;
-    const std::uint32_t count = 1 + random() % 4;
-    ribbon.samples.push_back({(pose.inverse() * p).cast<float>(), 1e-5F, count});
+  const auto any = [&]() -> Eigen::Vector3d {
+    return frame.origin + place_m(random) * frame.axis_u + place_m(random) * frame.axis_v;
+  };
+  const Eigen::Vector3d from = any(), to = any();
+  std::vector<Eigen::Vector3d> points;
+  for (int i = 0; i <= 200; ++i) {
+    points.push_back(pose.inverse() *
+                     (from + (to - from) * i / 200.0 + height_m(random) * frame.normal));
   }
-  return ribbon;
+  return ribbon_of(points, pose.inverse().linear() * frame.normal);
 }
 
 void add_slowly(const Ribbon& ribbon, const Pose& pose, const Plane& frame, SlowGrid& grid) {
-  for (const RibbonSample& sample : ribbon.samples) {
-    const Eigen::Vector3d p = pose * sample.point.cast<double>();
+  const PosedRibbon posed(ribbon, pose);
+  ribbon.samples.for_each([&](float along_m, float sample_height_m, std::uint32_t count) {
+    const Eigen::Vector3d p = posed.point(along_m, sample_height_m);
     const Eigen::Vector3d place = p - frame.origin;
     const int u = static_cast<int>(std::floor(place.dot(frame.axis_u) / frame.cell_size_m));
     const int v = static_cast<int>(std::floor(place.dot(frame.axis_v) / frame.cell_size_m));
-    grid[{v, u}].add(sample.count, frame.normal.dot(p) + frame.d_m, sample.square_m2);
+    grid[{v, u}].add(count, frame.normal.dot(p) + frame.d_m, ribbon.samples.variance_m2);
+  });
+}
+
+/// Less than a twentieth of what a cell beside it has.
+bool is_spill(const SlowGrid& grid, const std::pair<int, int>& key) {
+  const auto has_twenty_times = [&](int v, int u) {
+    const auto other = grid.find({v, u});
+    return other != grid.end() && grid.at(key).count < 0.05 * other->second.count;
+  };
+  for (int d = 0; d < 9; ++d) {
+    if (has_twenty_times(key.first + d / 3 - 1, key.second + d % 3 - 1)) return true;
   }
+  return false;
 }
 
 TEST(CellGrid, AgreesWithASlowReference) {
@@ -69,16 +82,17 @@ TEST(CellGrid, AgreesWithASlowReference) {
                     Eigen::AngleAxisd(-1.1, Eigen::Vector3d(0, 1, 3).normalized());
   CellGrid grid(frame);
   SlowGrid slow;
-  for (int i = 0; i < 20; ++i) {
+  for (int i = 0; i < 200; ++i) {
     const Ribbon ribbon = scattered_ribbon(frame, random, pose);
     grid.add(PosedRibbon(ribbon, pose));
     add_slowly(ribbon, pose, frame, slow);
   }
   const std::vector<PlaneCell> cells = grid.cells();
-  ASSERT_EQ(100u * 40u, slow.size());
-  ASSERT_EQ(slow.size(), cells.size());
+  ASSERT_GT(slow.size(), 3000u);
   std::size_t i = 0;
   for (const auto& [key, expected] : slow) {  // in the same order: by (v, u)
+    if (is_spill(slow, key)) continue;
+    ASSERT_LT(i, cells.size());
     const PlaneCell& cell = cells[i++];
     ASSERT_EQ(key, std::pair(cell.v, cell.u));
     const double mean = expected.sum / expected.count;
@@ -86,6 +100,7 @@ TEST(CellGrid, AgreesWithASlowReference) {
     EXPECT_NEAR(mean, cell.mean_m, 2e-6);
     EXPECT_NEAR(expected.square / expected.count - mean * mean, cell.variance_m2, 1e-7);
   }
+  EXPECT_EQ(cells.size(), i);
 }
 
 TEST(CellGrid, LeavesOutWhatNoiseSpilledOverAnEdge) {

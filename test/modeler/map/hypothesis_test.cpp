@@ -80,10 +80,11 @@ TEST(Hypothesis, TiltSigmaIsTheSpreadOfFits) {
   const int runs = 300;
   for (int run = 0; run < runs; ++run) {
     Ribbon ribbon = ribbon_between({2.0, 0.5, 0.0}, {2.0, -0.5, 0.0}, -x);
-    ribbon.moments = {};
+    Moments points;
     for (int i = 0; i < 60; ++i) {
-      ribbon.moments.add({2.0 + noise(random), -0.5 + i / 59.0, 0.2 * (i % 3)});
+      points.add({2.0 + noise(random), -0.5 + i / 59.0, 0.2 * (i % 3)});
     }
+    ribbon.spread = points;
     Hypothesis plane(0);
     plane.add(PosedRibbon(ribbon, Pose::Identity()), {0, 1.0F});
     square += std::pow(std::asin(plane.normal().y()), 2) / runs;
@@ -94,7 +95,7 @@ TEST(Hypothesis, TiltSigmaIsTheSpreadOfFits) {
 
 TEST(Membership, IsCertainOnThePlaneAndFallsWithDistance) {
   EXPECT_NEAR(1.0, membership_of(ribbon_at_wall(0.0)), 1e-9);
-  EXPECT_NEAR(std::exp(-0.5), membership_of(ribbon_at_wall(0.025)), 1e-6);  // one sigma
+  EXPECT_NEAR(std::exp(-0.5), membership_of(ribbon_at_wall(0.025)), 1e-5);  // one sigma
   EXPECT_GT(membership_of(ribbon_at_wall(0.02)), membership_of(ribbon_at_wall(-0.03)));
   EXPECT_GT(membership_of(ribbon_at_wall(0.049)), 0.0);
   EXPECT_EQ(0.0, membership_of(ribbon_at_wall(0.051)));
@@ -113,23 +114,23 @@ TEST(Membership, HasAGateForTheAngleAlongAndAcross) {
 TEST(Membership, DistanceIsTakenAtTheCentroid) {
   // 12 m away along the wall, turned by 1.5 degrees: at the origin it would be off by 30 cm.
   const Ribbon far = ribbon_at_wall(0.0, 1.5, z, {2.0, 12.0, 1.0});
-  EXPECT_GT(std::abs(far.normal.dot(far.moments.mean()) + 2.0), 0.25);
+  EXPECT_GT(std::abs(far.normal.cast<double>().dot(far.spread.mean()) + 2.0), 0.25);
   EXPECT_GT(membership_of(far), 0.1);
 }
 
 TEST(Membership, AWeakNormalIsExcusedToALimit) {
   Ribbon ribbon = ribbon_at_wall(0.0, 4.0, y);  // across itself
   EXPECT_EQ(0.0, membership_of(ribbon));
-  ribbon.sigma_across_rad = 2.0 * degree;
+  ribbon.sigma_across_rad = static_cast<float>(2.0 * degree);
   EXPECT_GT(membership_of(ribbon), 0.0);
   ribbon = ribbon_at_wall(0.0, 6.0, y);
-  ribbon.sigma_across_rad = 20.0 * degree;
+  ribbon.sigma_across_rad = static_cast<float>(20.0 * degree);
   EXPECT_EQ(0.0, membership_of(ribbon));
 }
 
 TEST(Membership, TheBackOfAWallIsAnotherPlane) {
   Ribbon back = ribbon_at_wall(0.01);
-  back.normal = x;
+  back.normal = x.cast<float>();
   EXPECT_EQ(0.0, membership_of(back, {90.0, 10.0}));
 }
 
@@ -140,8 +141,8 @@ Hypothesis small_plane(double distance_m, double angle_deg, const Vector& axis) 
   scene.add(patch({0.0, 0.5, -0.5}, -y, z));
   scene.poses[0].T_map_base = Pose::Identity();
   for (Ribbon& ribbon : scene.ribbons) {
-    ribbon.moments = ribbon.moments.transformed(turn);
-    ribbon.normal = turn.linear() * ribbon.normal;
+    ribbon.spread = ribbon.spread.transformed(turn);
+    ribbon.normal = (turn.linear() * ribbon.normal.cast<double>()).cast<float>();
   }
   return scene.whole();
 }

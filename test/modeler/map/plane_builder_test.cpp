@@ -88,16 +88,13 @@ TEST(ConfirmedPlanes, NeedRibbonsEnough) {
 Scene upright(std::optional<double> radius_m) {
   Scene scene;
   for (int i = 0; i <= 50; ++i) {
-    Ribbon ribbon = ribbon_between({2.0, 0.17, 0.04 * i}, {2.0, -0.17, 0.04 * i}, -x);
-    ribbon.moments = {};
-    for (RibbonSample& sample : ribbon.samples) {
-      if (radius_m)
-        sample.point.x() = static_cast<float>(
-            2.0 + *radius_m - std::sqrt(*radius_m * *radius_m - std::pow(sample.point.y(), 2)));
-      ribbon.moments.add(sample.point.cast<double>());
+    std::vector<Vector> points;
+    for (double side_m = 0.17; side_m > -0.175; side_m -= 0.01) {
+      const double back_m =
+          radius_m ? *radius_m - std::sqrt(*radius_m * *radius_m - side_m * side_m) : 0.0;
+      points.emplace_back(2.0 + back_m, side_m, 0.04 * i);
     }
-    ribbon.moments.spread(0.02 * z);
-    scene.ribbons.push_back(ribbon);
+    scene.ribbons.push_back(ribbon_of(points, -x));
   }
   return scene;
 }
@@ -129,14 +126,19 @@ TEST(FilteredPlanes, AreInTheMapFrameWhereverThatIs) {
 std::size_t floors_with_strays(double height_m, double sensor_m, double y_m = 0.45) {
   Scene scene;
   scene.add(patch({1.0, 0.0, 0.0}, x, 0.4 * y));
+  std::vector<PackedPoint> points;
   StrayPoints strays;
   strays.sensor = {0.0F, 0.0F, static_cast<float>(sensor_m)};
   for (int i = 0; i < 100; ++i) {
     for (double side = y_m; side < y_m + 0.1; side += 0.05) {
       const Vector point(1.005 + 0.01 * i, side + 0.01, height_m);
-      strays.samples.push_back({point.cast<float>(), 0.0F, 1});
+      const Eigen::Vector3f steps = (point.cast<float>() - strays.sensor) / strays.step_m;
+      points.push_back({{static_cast<std::int16_t>(steps.x()), static_cast<std::int16_t>(steps.y()),
+                         static_cast<std::int16_t>(steps.z())},
+                        1});
     }
   }
+  strays.first = points.data(), strays.size = static_cast<std::uint32_t>(points.size());
   scene.strays.push_back(strays);
   return filtered(scene).size();
 }

@@ -33,7 +33,7 @@ Scene scene_of(const std::vector<std::vector<Ribbon>>& patches) {
 /// A board 10 cm before the middle of a wall, which is seen from its middle outwards.
 Scene board_and_wall() {
   std::vector<Ribbon> ribbons = wall(2.1, 1.0, 2.0);
-  const auto height = [](const Ribbon& r) { return std::abs(r.moments.mean().z() - 0.5); };
+  const auto height = [](const Ribbon& r) { return std::abs(r.spread.mean().z() - 0.5); };
   std::stable_sort(ribbons.begin(), ribbons.end(),
                    [&](const Ribbon& a, const Ribbon& b) { return height(a) < height(b); });
   return scene_of({patch({2.0, 0.5, 0.25}, -y, 0.5 * z), ribbons});

@@ -2,39 +2,53 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "test/modeler/map/scene.hpp"
 
+#include <algorithm>
 #include <cmath>
+
+#include "modeler/ribbon/packed_store.hpp"
+#include "modeler/ribbon/sample_packer.hpp"
 
 namespace ribbon_mapper::mini_world {
 namespace {
 
 constexpr double spacing_m = 0.01, line_step_m = 0.02;
-constexpr int points_per_sample = 3;
+constexpr std::size_t points_per_sample = 3;
 
 }  // namespace
 
+Ribbon ribbon_of(const std::vector<Eigen::Vector3d>& points, const Eigen::Vector3d& normal) {
+  static PackedStore<PackedSample> store;  // as long as the tests
+  const Eigen::Vector3d up = normal.normalized(), chord = points.back() - points.front();
+  const Eigen::Vector3d along = (chord - up.dot(chord) * up).normalized();
+  Moments moments;
+  for (const Eigen::Vector3d& point : points) moments.add(point);
+  const Eigen::Vector3d centroid = moments.mean();
+  SamplePacker packer;
+  for (std::size_t begin = 0; begin < points.size(); begin += points_per_sample) {
+    const std::size_t end = std::min(points.size(), begin + points_per_sample);
+    Moments sample;
+    for (std::size_t i = begin; i < end; ++i) sample.add(points[i] - centroid);
+    packer.add(along.dot(sample.mean()), up.dot(sample.mean()),
+               sample.mean_square_distance(up, 0.0), end - begin);
+  }
+  Ribbon ribbon;
+  ribbon.normal = up.cast<float>();
+  ribbon.along = along.cast<float>();
+  ribbon.last_beam = static_cast<std::uint32_t>(points.size() - 1);
+  ribbon.area_m2 = static_cast<float>(points.size() * spacing_m * line_step_m);
+  moments.spread(line_step_m * up.cross(along));
+  ribbon.spread = moments;
+  ribbon.samples = packer.pack();
+  ribbon.samples.first = store.keep(ribbon.samples.first, ribbon.samples.size);
+  return ribbon;
+}
+
 Ribbon ribbon_between(const Eigen::Vector3d& from, const Eigen::Vector3d& to,
                       const Eigen::Vector3d& normal) {
-  Ribbon ribbon;
-  ribbon.normal = normal.normalized();
-  ribbon.length_m = (to - from).norm();
-  ribbon.along = (to - from) / ribbon.length_m;
-  const int points = static_cast<int>(std::lround(ribbon.length_m / spacing_m)) + 1;
-  ribbon.last_beam = points - 1;
-  ribbon.area_m2 = points * spacing_m * line_step_m;
-  for (int begin = 0; begin < points; begin += points_per_sample) {
-    RibbonSample sample;
-    Eigen::Vector3d sum = Eigen::Vector3d::Zero();
-    for (int i = begin; i < std::min(points, begin + points_per_sample); ++i) {
-      const Eigen::Vector3d p = from + (to - from) * (i / (points - 1.0));
-      ribbon.moments.add(p);
-      sum += p;
-      ++sample.count;
-    }
-    sample.point = (sum / sample.count).cast<float>();
-    ribbon.samples.push_back(sample);
-  }
-  ribbon.moments.spread(line_step_m * ribbon.normal.cross(ribbon.along));
-  return ribbon;
+  const int steps = static_cast<int>(std::lround((to - from).norm() / spacing_m));
+  std::vector<Eigen::Vector3d> points;
+  for (int i = 0; i <= steps; ++i) points.push_back(from + (to - from) * i / steps);
+  return ribbon_of(points, normal);
 }
 
 std::vector<Ribbon> patch(const Eigen::Vector3d& corner, const Eigen::Vector3d& u,

@@ -11,6 +11,9 @@
 
 namespace ribbon_mapper::mini_world {
 
+/// The ribbon of these points in their order, a centimetre apart, seen by three lines 2 cm apart.
+Ribbon ribbon_of(const std::vector<Eigen::Vector3d>& points, const Eigen::Vector3d& normal);
+
 /// A ribbon as if points had been seen every centimetre from `from` to `to` on a face with this
 /// normal, by three lines 2 cm apart.
 Ribbon ribbon_between(const Eigen::Vector3d& from, const Eigen::Vector3d& to,

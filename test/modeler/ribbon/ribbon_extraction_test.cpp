@@ -23,7 +23,8 @@ ScanConfig precise() {
 }
 
 std::vector<Ribbon> ribbons_of(const LineBuffer& buffer, const RibbonConfig& config = {}) {
-  return RibbonExtraction(precise(), config).extract(buffer);
+  static PointStore store;  // as long as the tests
+  return RibbonExtraction(precise(), config).extract(buffer, store);
 }
 
 LineBuffer precise_lines(const World& world, const Motion& motion, double middle_s = 0.0) {
@@ -35,8 +36,8 @@ double azimuth_rad(std::uint32_t beam) { return -M_PI_2 + beam * M_PI / 360.0; }
 /// The one face that a ribbon lies on; none if it lies on none.
 const Face* face_of(const World& world, const Ribbon& ribbon, const Pose& T_map_base,
                     double angle_deg = 5.0) {
-  const Eigen::Vector3d normal = T_map_base.linear() * ribbon.normal;
-  const Eigen::Vector3d centroid = T_map_base * ribbon.moments.mean();
+  const Eigen::Vector3d normal = T_map_base.linear() * ribbon.normal.cast<double>();
+  const Eigen::Vector3d centroid = T_map_base * ribbon.spread.mean();
   for (const Face& face : world) {
     if (face.normal.dot(normal) > std::cos(angle_deg * degree) &&
         std::abs(face.normal.dot(centroid) + face.d_m) < 0.01) {
@@ -54,7 +55,7 @@ TEST(RibbonExtraction, OneForEachWallOfARoomEndingAtItsCorners) {
   EXPECT_NEAR(-corner, azimuth_rad(ribbons[1].first_beam), 1.5 * degree);
   EXPECT_NEAR(corner, azimuth_rad(ribbons[1].last_beam), 1.5 * degree);
   EXPECT_NEAR(corner, azimuth_rad(ribbons[2].first_beam), 1.5 * degree);
-  EXPECT_NEAR(5.0, ribbons[1].length_m, 0.2);
+  EXPECT_NEAR(5.0, ribbons[1].samples.length_m(), 0.2);
   EXPECT_GT(std::abs(ribbons[1].along.y()), 0.999);
 }
 
@@ -67,7 +68,7 @@ TEST(RibbonExtraction, RibbonsLieOnTheirFacesInTheFrameOfTheirPose) {
     for (const Ribbon& ribbon : ribbons) {
       const Face* face = face_of(world, ribbon, T_map_base);
       ASSERT_TRUE(face) << "tilt " << tilt_rad << ", from beam " << ribbon.first_beam;
-      const Moments moments = ribbon.moments.transformed(T_map_base);
+      const Moments moments = ribbon.spread.transformed(T_map_base);
       EXPECT_LT(moments.mean_square_distance(face->normal, face->d_m), 0.008 * 0.008);
       EXPECT_NEAR(0.0, ribbon.normal.dot(ribbon.along), 0.02);
     }
@@ -76,22 +77,25 @@ TEST(RibbonExtraction, RibbonsLieOnTheirFacesInTheFrameOfTheirPose) {
 
 TEST(RibbonExtraction, TheMomentsPlaneIsTheRibbons) {
   for (const Ribbon& ribbon : ribbons_of(precise_lines(room(), tilting(0.8)))) {
-    EXPECT_GT(std::abs(fit_plane(ribbon.moments).normal().dot(ribbon.normal)), 0.999);
-    EXPECT_NEAR(ribbon.last_beam - ribbon.first_beam + 1.0, ribbon.moments.weight(), 1e-9);
+    EXPECT_GT(std::abs(fit_plane(ribbon.spread.transformed(Pose::Identity()))
+                       .normal()
+                       .dot(ribbon.normal.cast<double>())), 0.999);
+    EXPECT_NEAR(ribbon.last_beam - ribbon.first_beam + 1.0, ribbon.spread.weight(), 1e-9);
   }
 }
 
 TEST(RibbonExtraction, RibbonsAndStrayPointsAreAllReturnsOnce) {
   const LineBuffer buffer = precise_lines(room(), {around_the_middle, to_and_fro, no_drift}, 1.7);
   RibbonExtraction extraction(precise(), {});
+  PointStore store;
   double points = 0.0;
-  for (const Ribbon& ribbon : extraction.extract(buffer)) {
+  for (const Ribbon& ribbon : extraction.extract(buffer, store)) {
     double samples = 0.0;
-    for (const RibbonSample& sample : ribbon.samples) samples += sample.count;
-    EXPECT_EQ(ribbon.moments.weight(), samples);
+    ribbon.samples.for_each([&](float, float, std::uint32_t count) { samples += count; });
+    EXPECT_EQ(ribbon.spread.weight(), samples);
     points += samples;
   }
-  for (const RibbonSample& sample : extraction.strays(buffer).samples) points += sample.count;
+  for (const PackedPoint& point : extraction.strays(buffer, store)) points += point.count;
   EXPECT_EQ(buffer.middle().moments(0, 361).weight(), points);
 }
 
@@ -100,7 +104,7 @@ TEST(RibbonExtraction, FarRibbonsHaveTheirAreaCapped) {
   const auto ribbons = ribbons_of(precise_lines(far, tilting(0.8)));
   ASSERT_FALSE(ribbons.empty());
   for (const Ribbon& ribbon : ribbons) {
-    EXPECT_NEAR(RibbonConfig{}.area_cap_m2 * ribbon.moments.weight(), ribbon.area_m2, 1e-9);
+    EXPECT_NEAR(RibbonConfig{}.area_cap_m2 * ribbon.spread.weight(), ribbon.area_m2, 1e-6);
   }
 }
 
@@ -178,7 +182,7 @@ TEST(RibbonExtraction, WhatIsTooShortIsNoRibbon) {
   EXPECT_TRUE(ribbons_of(precise_lines(board(0.09), tilting(0.8))).empty());
   const auto ribbons = ribbons_of(precise_lines(board(0.3), tilting(0.8)));
   ASSERT_EQ(1u, ribbons.size());
-  EXPECT_NEAR(0.3, ribbons[0].length_m, 0.02);
+  EXPECT_NEAR(0.3, ribbons[0].samples.length_m(), 0.03);
 }
 
 TEST(RibbonExtraction, NoReturnsNoRibbons) {
@@ -189,16 +193,17 @@ TEST(RibbonExtraction, KeepsNothingFromLineToLine) {
   const LineBuffer a = precise_lines(room(), tilting(0.8, 0.2));
   const LineBuffer b = precise_lines(stepped_wall(), tilting(0.8));
   RibbonExtraction extraction(precise(), {});
-  const std::vector<Ribbon> first = extraction.extract(a);
-  extraction.extract(b);
-  const std::vector<Ribbon> again = extraction.extract(a);
+  PointStore store;
+  const std::vector<Ribbon> first = extraction.extract(a, store);
+  extraction.extract(b, store);
+  const std::vector<Ribbon> again = extraction.extract(a, store);
   ASSERT_EQ(first.size(), again.size());
   for (std::size_t i = 0; i < first.size(); ++i) {
     EXPECT_EQ(first[i].first_beam, again[i].first_beam);
     EXPECT_EQ(first[i].last_beam, again[i].last_beam);
     EXPECT_EQ(first[i].normal, again[i].normal);
     EXPECT_EQ(first[i].area_m2, again[i].area_m2);
-    EXPECT_EQ(first[i].samples.size(), again[i].samples.size());
+    EXPECT_EQ(first[i].samples.size, again[i].samples.size);
   }
 }
 
