@@ -20,7 +20,7 @@ void PlaneMap::add(const PosedRibbon& ribbon, std::uint32_t index) {
   std::uint32_t slot = 0;
   others_.clear();
   for (const std::uint32_t candidate : near_) {
-    if (!sides_[candidate].may_hold(ribbon, gates_)) continue;
+    if (!may_hold(candidate, ribbon)) continue;
     const double probability = membership(ribbon, hypotheses_[candidate], gates_);
     if (probability <= 0.0) continue;
     others_.push_back(candidate);
@@ -33,9 +33,23 @@ void PlaneMap::add(const PosedRibbon& ribbon, std::uint32_t index) {
     best = 1.0;
   }
   hypotheses_[slot].add(ribbon, {index, static_cast<float>(best)});
-  sides_[slot] = hypotheses_[slot];
+  refresh(slot);
   index_.enter(slot, voxels_);
   if (others_.size() > 1) merge_with(others_, slot);
+}
+
+bool PlaneMap::may_hold(std::uint32_t slot, const PosedRibbon& ribbon) const {
+  const Side& side = sides_[slot];
+  const Eigen::Vector3f centroid = ribbon.centroid.cast<float>();
+  // Single precision: a millimetre in ten kilometres.
+  const float most_m = static_cast<float>(gates_.distance_m) + 1e-3F;
+  return side.normal.dot(ribbon.normal.cast<float>()) >= 0.999F * least_cosine_of_side &&
+         std::abs(side.normal.dot(centroid) + side.d_m) <= most_m;
+}
+
+void PlaneMap::refresh(std::uint32_t slot) {
+  sides_[slot] = {hypotheses_[slot].normal().cast<float>(),
+                  static_cast<float>(hypotheses_[slot].d_m())};
 }
 
 /// A ribbon that fits several hypotheses is where they meet: those that are one plane merge.
@@ -55,7 +69,7 @@ void PlaneMap::merge(std::uint32_t into, std::uint32_t from) {
   const std::int64_t id = std::min(hypotheses_[into].id, hypotheses_[from].id);
   hypotheses_[into].absorb(hypotheses_[from]);
   hypotheses_[into].id = id;
-  sides_[into] = hypotheses_[into];
+  refresh(into);
   hypotheses_[from] = Hypothesis(hypotheses_[from].id);
   index_.unite(into, from);
 }

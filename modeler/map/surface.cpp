@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <optional>
 
 #include <tsl/robin_map.h>
 
@@ -79,7 +80,7 @@ class SurfaceIndex {
     std::sort(keys_.begin(), keys_.end());
     keys_.erase(std::unique(keys_.begin(), keys_.end()), keys_.end());
     for (const VoxelKey key : keys_) {
-      for_each_around(key, nowhere, [&](VoxelKey around) {
+      for_each_around(key, [&](VoxelKey around) {
         std::vector<std::uint32_t>& here = surfaces_[around];
         if (here.empty() || here.back() != surface) here.push_back(surface);
       });
@@ -88,7 +89,7 @@ class SurfaceIndex {
 
   tsl::robin_map<VoxelKey, std::vector<std::uint32_t>, KeyHash> surfaces_;
   std::vector<VoxelKey> keys_;  // scratch
-  VoxelKey last_key_ = nowhere;
+  std::optional<VoxelKey> last_key_;
   const std::vector<std::uint32_t>* last_ = nullptr;
   const std::vector<std::uint32_t> none_;
 };

@@ -12,51 +12,72 @@ constexpr double steps_per_voxel = 8.0;  // along a ribbon
 
 }  // namespace
 
-void VoxelIndex::voxels_of(const PosedRibbon& ribbon, std::vector<VoxelKey>& keys) const {
-  keys.clear();
+std::uint32_t VoxelIndex::voxel_of(VoxelKey key) {
+  const auto number = static_cast<std::uint32_t>(voxels_.size());
+  const auto [found, is_new] = numbers_.try_emplace(key, number);
+  if (!is_new) return found->second;
+  voxels_.emplace_back();
+  for_each_around(key, [&](VoxelKey around) {
+    const auto other = numbers_.find(around);
+    if (other == numbers_.end()) return;
+    voxels_[number].around.push_back(other->second);
+    if (other->second != number) voxels_[other->second].around.push_back(number);
+  });
+  return number;
+}
+
+std::uint32_t VoxelIndex::voxel_at(const Eigen::Vector3d& point) {
+  return voxel_of(voxel_key(point, voxel_m_));
+}
+
+void VoxelIndex::voxels_of(const PosedRibbon& ribbon, std::vector<std::uint32_t>& voxels) {
+  voxels.clear();
   const RibbonSamples& samples = ribbon.ribbon->samples;
   const double from_m = samples.start_m, length_m = samples.length_m();
   const int steps = static_cast<int>(std::ceil(steps_per_voxel * length_m / voxel_m_));
   const double step_m = steps > 0 ? length_m / steps : 0.0;
+  VoxelKey last{};
   for (int i = 0; i <= steps; ++i) {
     const VoxelKey key =
         voxel_key(ribbon.centroid + (from_m + i * step_m) * ribbon.along, voxel_m_);
-    if (keys.empty() || keys.back() != key) keys.push_back(key);
+    if (i == 0 || key != last) voxels.push_back(voxel_of(key));
+    last = key;
   }
 }
 
-void VoxelIndex::enter(std::uint32_t slot, const std::vector<VoxelKey>& keys) {
-  while (touched_.size() <= slot) {
-    part_of_.push_back(static_cast<std::uint32_t>(touched_.size()));
-    touched_.emplace_back();
-    asked_.push_back(0);
+void VoxelIndex::enter(std::uint32_t slot, const std::vector<std::uint32_t>& voxels) {
+  while (entries_.size() <= slot) {
+    entries_.push_back({{}, static_cast<std::uint32_t>(entries_.size()), 0});
   }
-  std::vector<VoxelKey>& touched = touched_[slot];
-  for (const VoxelKey key : keys) {
-    const auto place = std::lower_bound(touched.begin(), touched.end(), key);
-    if (place != touched.end() && *place == key) continue;
-    touched.insert(place, key);
-    slots_[key].push_back(slot);
+  std::vector<std::uint32_t>& touched = entries_[slot].touched;
+  for (const std::uint32_t voxel : voxels) {
+    const auto place = std::lower_bound(touched.begin(), touched.end(), voxel);
+    if (place != touched.end() && *place == voxel) continue;
+    touched.insert(place, voxel);
+    voxels_[voxel].slots.push_back(slot);
   }
 }
 
 void VoxelIndex::unite(std::uint32_t into, std::uint32_t from) {
-  part_of_[from] = into;
-  std::vector<VoxelKey>& touched = touched_[into];
+  entries_[from].part_of = into;
+  std::vector<std::uint32_t>& touched = entries_[into].touched;
+  const std::vector<std::uint32_t> more = std::move(entries_[from].touched);
+  entries_[from].touched = {};
   const auto middle = static_cast<std::ptrdiff_t>(touched.size());
-  touched.insert(touched.end(), touched_[from].begin(), touched_[from].end());
+  touched.insert(touched.end(), more.begin(), more.end());
   std::inplace_merge(touched.begin(), touched.begin() + middle, touched.end());
   touched.erase(std::unique(touched.begin(), touched.end()), touched.end());
-  touched_[from] = {};
 }
 
 std::uint32_t VoxelIndex::whole_of(std::uint32_t slot) {
-  while (part_of_[slot] != slot) slot = part_of_[slot] = part_of_[part_of_[slot]];
+  while (entries_[slot].part_of != slot) {
+    slot = entries_[slot].part_of = entries_[entries_[slot].part_of].part_of;
+  }
   return slot;
 }
 
 /// Each whole once, in the order of first appearance.
-void VoxelIndex::replace_parts(Slots& slots) {
+void VoxelIndex::replace_parts(std::vector<std::uint32_t>& slots) {
   std::size_t kept = 0;
   for (std::size_t i = 0; i < slots.size(); ++i) {
     const std::uint32_t whole = whole_of(slots[i]);
@@ -66,35 +87,36 @@ void VoxelIndex::replace_parts(Slots& slots) {
   slots.resize(kept);
 }
 
-void VoxelIndex::near(const std::vector<VoxelKey>& keys, std::vector<std::uint32_t>& slots) {
+void VoxelIndex::near(const std::vector<std::uint32_t>& voxels, std::vector<std::uint32_t>& slots) {
   slots.clear();
   ++question_;
-  VoxelKey last = nowhere;
-  for (const VoxelKey key : keys) {
-    for_each_around(key, last, [&](VoxelKey around) { append_slots_of(around, slots); });
-    last = key;
+  for (const std::uint32_t voxel : voxels) {
+    for (const std::uint32_t around : voxels_[voxel].around) {
+      if (voxels_[around].question == question_) continue;
+      voxels_[around].question = question_;
+      append_slots_of(voxels_[around], slots);
+    }
   }
 }
 
 /// Those that the question was not yet answered with.
-void VoxelIndex::append_slots_of(VoxelKey key, std::vector<std::uint32_t>& slots) {
-  const auto found = slots_.find(key);
-  if (found == slots_.end()) return;
-  Slots& here = found.value();
-  const auto is_part = [this](std::uint32_t slot) { return part_of_[slot] != slot; };
-  if (std::any_of(here.begin(), here.end(), is_part)) replace_parts(here);
-  for (const std::uint32_t slot : here) {
-    if (asked_[slot] == question_) continue;
-    asked_[slot] = question_;
+void VoxelIndex::append_slots_of(Voxel& voxel, std::vector<std::uint32_t>& slots) {
+  const auto is_part = [this](std::uint32_t slot) { return entries_[slot].part_of != slot; };
+  if (std::any_of(voxel.slots.begin(), voxel.slots.end(), is_part)) replace_parts(voxel.slots);
+  for (const std::uint32_t slot : voxel.slots) {
+    if (entries_[slot].question == question_) continue;
+    entries_[slot].question = question_;
     slots.push_back(slot);
   }
 }
 
 std::size_t VoxelIndex::memory_bytes() const {
-  std::size_t bytes = slots_.bucket_count() * (sizeof(VoxelKey) + sizeof(Slots) + 8) +
-                      part_of_.capacity() * 2 * sizeof(std::uint32_t);
-  for (const auto& [key, slots] : slots_) bytes += slots.capacity() * sizeof(slots[0]);
-  for (const auto& keys : touched_) bytes += sizeof(keys) + keys.capacity() * sizeof(VoxelKey);
+  std::size_t bytes = numbers_.bucket_count() * (sizeof(VoxelKey) + 2 * sizeof(std::uint64_t)) +
+                      voxels_.capacity() * sizeof(Voxel) + entries_.capacity() * sizeof(Entry);
+  for (const Voxel& voxel : voxels_) {
+    bytes += (voxel.slots.capacity() + voxel.around.capacity()) * sizeof(std::uint32_t);
+  }
+  for (const Entry& entry : entries_) bytes += entry.touched.capacity() * sizeof(std::uint32_t);
   return bytes;
 }
 

@@ -12,39 +12,53 @@
 
 namespace ribbon_mapper {
 
-/// Which hypotheses are near a place: those that touch its voxel or one next to it. Those that
-/// became a part of another stay entered; whose part they are is found out when somebody asks.
+/// Which hypotheses are near a place: those that touch its voxel or one next to it. Voxels are
+/// numbered as they are met and know those next to them. Hypotheses that became a part of another
+/// stay entered; whose part they are is found out when somebody asks.
 class VoxelIndex {
  public:
   explicit VoxelIndex(double voxel_m) : voxel_m_(voxel_m) {}
 
+  std::uint32_t voxel_at(const Eigen::Vector3d& point);
+
   /// Voxels that a ribbon goes through, in its own order, without repetition of neighbours; not
   /// those of which it cuts a corner only.
-  void voxels_of(const PosedRibbon& ribbon, std::vector<VoxelKey>& keys) const;
+  void voxels_of(const PosedRibbon& ribbon, std::vector<std::uint32_t>& voxels);
 
   /// Enters a hypothesis (its slot) at the voxels that it is not yet entered for.
-  void enter(std::uint32_t slot, const std::vector<VoxelKey>& keys);
+  void enter(std::uint32_t slot, const std::vector<std::uint32_t>& voxels);
   /// `from` becomes a part of `into`.
   void unite(std::uint32_t into, std::uint32_t from);
 
   /// Slots near any of the voxels, each once.
-  void near(const std::vector<VoxelKey>& keys, std::vector<std::uint32_t>& slots);
+  void near(const std::vector<std::uint32_t>& voxels, std::vector<std::uint32_t>& slots);
 
-  const std::vector<VoxelKey>& touched_by(std::uint32_t slot) const { return touched_[slot]; }
+  const std::vector<std::uint32_t>& touched_by(std::uint32_t slot) const {
+    return entries_[slot].touched;
+  }
   std::size_t memory_bytes() const;
 
  private:
-  using Slots = std::vector<std::uint32_t>;
+  struct Voxel {
+    std::vector<std::uint32_t> slots;   // that touch it
+    std::vector<std::uint32_t> around;  // voxels: itself and those next to it
+    std::uint32_t question = 0;         // the last one that it answered
+  };
+  struct Entry {
+    std::vector<std::uint32_t> touched;  // sorted
+    std::uint32_t part_of;               // itself if it is a whole
+    std::uint32_t question = 0;
+  };
 
+  std::uint32_t voxel_of(VoxelKey key);
   std::uint32_t whole_of(std::uint32_t slot);
-  void replace_parts(Slots& slots);
-  void append_slots_of(VoxelKey key, std::vector<std::uint32_t>& slots);
+  void replace_parts(std::vector<std::uint32_t>& slots);
+  void append_slots_of(Voxel& voxel, std::vector<std::uint32_t>& slots);
 
   double voxel_m_;
-  tsl::robin_map<VoxelKey, Slots, KeyHash> slots_;  // that touch a voxel
-  std::vector<std::vector<VoxelKey>> touched_;      // by slot, sorted
-  std::vector<std::uint32_t> part_of_;              // by slot; itself if it is a whole
-  std::vector<std::uint32_t> asked_;  // number of the last question that a slot answered
+  tsl::robin_map<VoxelKey, std::uint32_t, KeyHash> numbers_;  // of voxels
+  std::vector<Voxel> voxels_;
+  std::vector<Entry> entries_;  // by slot
   std::uint32_t question_ = 0;
 };
 

@@ -27,7 +27,7 @@ bool are_neighbours(const Vector& a, const Vector& b) {
 
 Slots near(VoxelIndex& index, const Vector& point) {
   Slots slots;
-  index.near({voxel_key(point, voxel_m)}, slots);
+  index.near({index.voxel_at(point)}, slots);
   std::sort(slots.begin(), slots.end());
   return slots;
 }
@@ -37,10 +37,10 @@ TEST(VoxelIndex, FindsWhatIsInTheVoxelOrNextToIt) {
   VoxelIndex index(voxel_m);
   std::vector<std::vector<Vector>> places(30);
   for (std::uint32_t slot = 0; slot < 30; ++slot) {
-    std::vector<VoxelKey> keys;
+    Slots keys;
     for (int i = 0; i < 5; ++i) {
       places[slot].push_back(random_point(random));
-      keys.push_back(voxel_key(places[slot].back(), voxel_m));
+      keys.push_back(index.voxel_at(places[slot].back()));
     }
     index.enter(slot, keys);
   }
@@ -58,8 +58,8 @@ TEST(VoxelIndex, FindsWhatIsInTheVoxelOrNextToIt) {
 
 TEST(VoxelIndex, WhatIsUnitedIsFoundUnderOneSlot) {
   VoxelIndex index(voxel_m);
-  index.enter(0, {voxel_key({0.1, 0.1, 0.1}, voxel_m)});
-  index.enter(1, {voxel_key({2.1, 0.1, 0.1}, voxel_m), voxel_key({2.6, 0.1, 0.1}, voxel_m)});
+  index.enter(0, {index.voxel_at({0.1, 0.1, 0.1})});
+  index.enter(1, {index.voxel_at({2.1, 0.1, 0.1}), index.voxel_at({2.6, 0.1, 0.1})});
   index.unite(0, 1);
   EXPECT_EQ(Slots{0}, near(index, {0.1, 0.1, 0.1}));
   EXPECT_EQ(Slots{0}, near(index, {2.6, 0.1, 0.1}));
@@ -69,7 +69,7 @@ TEST(VoxelIndex, WhatIsUnitedIsFoundUnderOneSlot) {
 
 TEST(VoxelIndex, FarAwayIsNowhere) {
   VoxelIndex index(voxel_m);
-  index.enter(0, {voxel_key({0.1, 0.1, 0.1}, voxel_m)});
+  index.enter(0, {index.voxel_at({0.1, 0.1, 0.1})});
   EXPECT_TRUE(near(index, {-400.0, 30.0, 2.0}).empty());
   EXPECT_TRUE(near(index, {1.1, 0.1, 0.1}).empty());
   EXPECT_EQ(Slots{0}, near(index, {-0.1, -0.1, -0.1}));
