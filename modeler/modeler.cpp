@@ -112,7 +112,8 @@ void Modeler::correct(const std::vector<StampedPose>& corrected_trajectory) {
   State& s = *state_;
   s.trajectory.correct(corrected_trajectory);
   PlaneMap again(s.config.map, s.config.map.corrected, s.map.next_id());
-  for (std::uint32_t i = 0; i < s.ribbons.size(); ++i) again.add(s.evidence().ribbon(i), i);
+  const Evidence evidence = s.evidence();
+  for (std::uint32_t i = 0; i < s.ribbons.size(); ++i) again.add(evidence.ribbon(i), i);
   again.take_ids_from(s.map);
   s.map = std::move(again);
   ++s.revision;

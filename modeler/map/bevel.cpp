@@ -2,46 +2,78 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "modeler/map/bevel.hpp"
 
+#include <Eigen/Geometry>
 #include <algorithm>
+#include <cmath>
 #include <numeric>
+#include <optional>
 
 #include "modeler/map/footprint.hpp"
 
 namespace ribbon_mapper {
 namespace {
 
+/// Where the points of a cell were, on average.
+Eigen::Vector3d measured(const Plane& plane, const PlaneCell& cell) {
+  return cell_centre(plane, cell) + cell.mean_m * plane.normal;
+}
+
+Eigen::AlignedBox3d box_of(const Plane& plane) {
+  Eigen::AlignedBox3d box;
+  for (const PlaneCell& cell : plane.cells) box.extend(measured(plane, cell));
+  return box;
+}
+
 /// A plane that others may lie on.
 class Ground {
  public:
   Ground(const Plane& plane, const PlaneMapConfig& config)
-      : plane_(&plane),
-        on_plane_m_(config.on_plane_m),
-        beside_(plane, config.beside_plane_m),
-        beyond_gap_(plane, 0.5 * config.bridged_gap_m) {}
+      : plane_(&plane), config_(&config), box_(box_of(plane)) {
+    const double margin_m = config.bridged_gap_m + config.on_plane_m;  // twice the wider reach
+    box_.min().array() -= margin_m;
+    box_.max().array() += margin_m;
+  }
 
-  /// True for a cell of `other` that lies on this plane, as measured.
-  bool explains(const Plane& other, const PlaneCell& cell) const {
+  bool is_near(const Eigen::AlignedBox3d& box) const { return box_.intersects(box); }
+
+  /// Marks the cells of `other` that lie on this plane, as measured.
+  void explain(const Plane& other, std::vector<bool>& explained) {
     const double cosine = plane_->normal.dot(other.normal);
-    if (cosine <= 0.0) return false;  // the back of a thin wall is no part of its front
-    const Footprint& footprint = cosine > least_cosine_of_splinter ? beyond_gap_ : beside_;
-    return footprint.holds(cell_centre(other, cell) + cell.mean_m * other.normal, on_plane_m_);
+    if (cosine <= 0.0) return;  // the back of a thin wall is no part of its front
+    const bool is_splinter = cosine > least_cosine_of_splinter;
+    for (std::size_t i = 0; i < explained.size(); ++i) {
+      if (explained[i]) continue;
+      const Eigen::Vector3d point = measured(other, other.cells[i]);
+      if (std::abs(plane_->normal.dot(point) + plane_->d_m) > config_->on_plane_m) continue;
+      const Footprint& around = is_splinter ? footprint(beyond_gap_, 0.5 * config_->bridged_gap_m)
+                                            : footprint(beside_, config_->beside_plane_m);
+      explained[i] = around.holds(point, config_->on_plane_m);
+    }
   }
 
  private:
   static constexpr double least_cosine_of_splinter = 0.985;  // 10 degrees
 
+  /// Made when it is first asked for.
+  const Footprint& footprint(std::optional<Footprint>& made, double reach_m) {
+    if (!made) made.emplace(*plane_, reach_m);
+    return *made;
+  }
+
   const Plane* plane_;
-  double on_plane_m_;
-  Footprint beside_, beyond_gap_;
+  const PlaneMapConfig* config_;
+  Eigen::AlignedBox3d box_;
+  std::optional<Footprint> beside_, beyond_gap_;
 };
 
-bool is_bevel(const Plane& plane, const std::vector<Ground>& larger) {
-  std::size_t explained = 0;
-  for (const PlaneCell& cell : plane.cells) {
-    explained += std::any_of(larger.begin(), larger.end(),
-                             [&](const Ground& ground) { return ground.explains(plane, cell); });
+bool is_bevel(const Plane& plane, std::vector<Ground>& larger) {
+  const Eigen::AlignedBox3d box = box_of(plane);
+  std::vector<bool> explained(plane.cells.size(), false);
+  for (Ground& ground : larger) {
+    if (ground.is_near(box)) ground.explain(plane, explained);
   }
-  return 2 * explained > plane.cells.size();
+  const auto count = std::count(explained.begin(), explained.end(), true);
+  return 2 * static_cast<std::size_t>(count) > plane.cells.size();
 }
 
 }  // namespace

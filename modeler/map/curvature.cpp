@@ -17,31 +17,62 @@ constexpr std::uint32_t least_points = 4;  // of a well-seen cell
 
 using Matrix6d = Eigen::Matrix<double, 6, 6>;
 
-/// Height h(u, v) = c0 + c1 u + c2 v + (c3 u^2 + 2 c4 u v + c5 v^2) / 2.
-Vector6d terms(double u, double v) {
-  Vector6d terms;
-  terms << 1.0, u, v, 0.5 * u * u, u * v, 0.5 * v * v;
-  return terms;
-}
+/// Sums for the fit of the heights h(u, v) = c0 + c1 u + c2 v + (c3 u^2 + 2 c4 u v + c5 v^2) / 2: the
+/// normal equations hold few products of powers, each of them several times.
+struct QuadricSums {
+  double powers[5][5] = {};   // of u and v, up to four together
+  double heights[3][3] = {};  // times u and v, up to two together
+  double square = 0.0;        // of heights
+
+  void add(double u, double v, double height, double weight) {
+    double u_power = weight;
+    for (int i = 0; i <= 4; ++i, u_power *= u) {
+      double product = u_power;
+      for (int j = 0; j + i <= 4; ++j, product *= v) {
+        powers[i][j] += product;
+        if (i + j <= 2) heights[i][j] += product * height;
+      }
+    }
+    square += weight * height * height;
+  }
+
+  Matrix6d normal_matrix() const {
+    Matrix6d matrix;
+    for (int a = 0; a < 6; ++a) {
+      for (int b = 0; b < 6; ++b) {
+        matrix(a, b) = factor[a] * factor[b] * powers[of_u[a] + of_u[b]][of_v[a] + of_v[b]];
+      }
+    }
+    return matrix;
+  }
+  Vector6d right() const {
+    Vector6d right;
+    for (int a = 0; a < 6; ++a) right[a] = factor[a] * heights[of_u[a]][of_v[a]];
+    return right;
+  }
+
+ private:
+  static constexpr int of_u[6] = {0, 1, 0, 2, 1, 0}, of_v[6] = {0, 0, 1, 0, 1, 2};
+  static constexpr double factor[6] = {1.0, 1.0, 1.0, 0.5, 1.0, 0.5};
+};
 
 }  // namespace
 
 Curvature curvature_of(const Plane& plane) {
   if (plane.cells.size() < least_cells) return {0.0, std::numeric_limits<double>::infinity(), 0.0};
-  Matrix6d normal_matrix = Matrix6d::Zero();
-  Vector6d right = Vector6d::Zero();
-  double square = 0.0;
+  QuadricSums sums;
+  const Eigen::Vector3d from_centroid = plane.origin - plane.centroid;
+  const double u0 = from_centroid.dot(plane.axis_u), v0 = from_centroid.dot(plane.axis_v);
   for (const PlaneCell& cell : plane.cells) {
-    const Eigen::Vector3d place = cell_centre(plane, cell) - plane.centroid;
-    const Vector6d row = terms(place.dot(plane.axis_u), place.dot(plane.axis_v));
-    const double weight = cell.count;  // few points, often an edge's, make a poor mean
-    normal_matrix += weight * row * row.transpose();
-    right += weight * cell.mean_m * row;
-    square += weight * cell.mean_m * cell.mean_m;
+    // Few points, often an edge's, make a poor mean.
+    sums.add(u0 + (cell.u + 0.5) * plane.cell_size_m, v0 + (cell.v + 0.5) * plane.cell_size_m,
+             cell.mean_m, cell.count);
   }
+  const Matrix6d normal_matrix = sums.normal_matrix();
+  const Vector6d right = sums.right();
   const Eigen::LDLT<Matrix6d> solver(normal_matrix);
   const Vector6d c = solver.solve(right);
-  const double variance = std::max(0.0, square - c.dot(right)) / (plane.cells.size() - 6.0);
+  const double variance = std::max(0.0, sums.square - c.dot(right)) / (plane.cells.size() - 6.0);
 
   // Larger eigenvalue of [c3 c4; c4 c5] and its derivative by (c3, c4, c5).
   const double mean = 0.5 * (c[3] + c[5]), half = 0.5 * (c[3] - c[5]);

@@ -17,11 +17,13 @@ class Evidence {
  public:
   Evidence(const std::vector<Ribbon>& ribbons, const std::vector<StrayPoints>& strays,
            const std::vector<StampedPose>& poses)
-      : ribbons_(&ribbons), strays_(&strays), poses_(&poses) {}
+      : ribbons_(&ribbons), strays_(&strays), poses_(&poses) {
+    if (!poses.empty()) T_world_map_ = T_map_world().inverse(Eigen::Isometry);
+  }
 
   Pose T_map_world() const { return poses_->front().T_map_base; }
   Pose T_world_base(std::uint32_t pose) const {
-    return T_map_world().inverse(Eigen::Isometry) * (*poses_)[pose].T_map_base;
+    return Pose(T_world_map_ * (*poses_)[pose].T_map_base);
   }
 
   std::size_t ribbon_count() const { return ribbons_->size(); }
@@ -38,6 +40,7 @@ class Evidence {
   const std::vector<Ribbon>* ribbons_;
   const std::vector<StrayPoints>* strays_;
   const std::vector<StampedPose>* poses_;
+  Pose T_world_map_ = Pose::Identity();
 };
 
 }  // namespace ribbon_mapper

@@ -51,6 +51,11 @@ double Hypothesis::tilt_sigma(const Eigen::Vector3d& direction) const {
   return std::sqrt(fit_.variances[0] / points_ * square_sum);
 }
 
+double least_cosine(const AssociationGates& gates) {
+  const double sine = std::sin(std::min(M_PI_4, gates.angle_deg * degree + max_excuse_rad));
+  return std::max(least_cosine_of_side, std::sqrt(1.0 - 2.0 * sine * sine));
+}
+
 double membership(const PosedRibbon& ribbon, const Hypothesis& plane,
                   const AssociationGates& gates) {
   if (plane.normal().dot(ribbon.normal) < least_cosine_of_side) return 0.0;

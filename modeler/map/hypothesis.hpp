@@ -59,6 +59,9 @@ class Hypothesis {
   double d_m_ = 0.0;
 };
 
+/// Normals of what may be one plane have at least this cosine: the widest gate about both axes.
+double least_cosine(const AssociationGates& gates);
+
 /// Probability that a ribbon belongs to a plane, 0 outside of the gates (section 4.3). The
 /// distance is taken at the ribbon's centroid.
 double membership(const PosedRibbon& ribbon, const Hypothesis& plane, const AssociationGates& gates);

@@ -11,7 +11,11 @@ namespace ribbon_mapper {
 
 PlaneMap::PlaneMap(const PlaneMapConfig& config, const AssociationGates& gates,
                    std::int64_t first_id)
-    : gates_(gates), index_(config.bridged_gap_m), next_id_(first_id) {}
+    : gates_(gates),
+      least_cosine_(static_cast<float>(least_cosine(gates)) - 1e-4F),
+      most_distance_m_(static_cast<float>(gates.distance_m) + 1e-3F),
+      index_(config.bridged_gap_m),
+      next_id_(first_id) {}
 
 void PlaneMap::add(const PosedRibbon& ribbon, std::uint32_t index) {
   index_.voxels_of(ribbon, voxels_);
@@ -40,11 +44,8 @@ void PlaneMap::add(const PosedRibbon& ribbon, std::uint32_t index) {
 
 bool PlaneMap::may_hold(std::uint32_t slot, const PosedRibbon& ribbon) const {
   const Side& side = sides_[slot];
-  const Eigen::Vector3f centroid = ribbon.centroid.cast<float>();
-  // Single precision: a millimetre in ten kilometres.
-  const float most_m = static_cast<float>(gates_.distance_m) + 1e-3F;
-  return side.normal.dot(ribbon.normal.cast<float>()) >= 0.999F * least_cosine_of_side &&
-         std::abs(side.normal.dot(centroid) + side.d_m) <= most_m;
+  return side.normal.dot(ribbon.normal.cast<float>()) >= least_cosine_ &&
+         std::abs(side.normal.dot(ribbon.centroid.cast<float>()) + side.d_m) <= most_distance_m_;
 }
 
 void PlaneMap::refresh(std::uint32_t slot) {
@@ -116,6 +117,7 @@ bool PlaneMap::absorb_neighbours(std::uint32_t slot) {
   index_.near(index_.touched_by(slot), near_);
   for (const std::uint32_t other : near_) {
     if (other == slot || !is_alive(other)) continue;
+    if (sides_[slot].normal.dot(sides_[other].normal) < least_cosine_) continue;
     if (hypotheses_[other].area_m2() > hypotheses_[slot].area_m2()) continue;
     if (!are_one_plane(hypotheses_[slot], hypotheses_[other], gates_)) continue;
     const std::int64_t id = hypotheses_[slot].id;

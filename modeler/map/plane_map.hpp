@@ -49,6 +49,7 @@ class PlaneMap {
   bool absorb_neighbours(std::uint32_t slot);
 
   AssociationGates gates_;
+  float least_cosine_, most_distance_m_;  // of may_hold(); the margins are far above rounding
   VoxelIndex index_;
   std::int64_t next_id_;
   std::vector<Hypothesis> hypotheses_;  // by slot; without members: merged into another one
