@@ -18,13 +18,19 @@ PlaneMap::PlaneMap(const PlaneMapConfig& config, const AssociationGates& gates,
       next_id_(first_id) {}
 
 void PlaneMap::add(const PosedRibbon& ribbon, std::uint32_t index) {
+  const Eigen::Vector3f normal = ribbon.normal.cast<float>();
+  const Eigen::Vector3f centroid = ribbon.centroid.cast<float>();
+  const auto may_hold = [&](std::uint32_t slot) {
+    const Side& side = sides_[slot];
+    return side.normal.dot(normal) >= least_cosine_ &&
+           std::abs(side.normal.dot(centroid) + side.d_m) <= most_distance_m_;
+  };
   index_.voxels_of(ribbon, voxels_);
-  index_.near(voxels_, near_);
+  index_.near(voxels_, may_hold, near_);
   double best = 0.0;
   std::uint32_t slot = 0;
   others_.clear();
   for (const std::uint32_t candidate : near_) {
-    if (!may_hold(candidate, ribbon)) continue;
     const double probability = membership(ribbon, hypotheses_[candidate], gates_);
     if (probability <= 0.0) continue;
     others_.push_back(candidate);
@@ -40,12 +46,6 @@ void PlaneMap::add(const PosedRibbon& ribbon, std::uint32_t index) {
   refresh(slot);
   index_.enter(slot, voxels_);
   if (others_.size() > 1) merge_with(others_, slot);
-}
-
-bool PlaneMap::may_hold(std::uint32_t slot, const PosedRibbon& ribbon) const {
-  const Side& side = sides_[slot];
-  return side.normal.dot(ribbon.normal.cast<float>()) >= least_cosine_ &&
-         std::abs(side.normal.dot(ribbon.centroid.cast<float>()) + side.d_m) <= most_distance_m_;
 }
 
 void PlaneMap::refresh(std::uint32_t slot) {
@@ -104,7 +104,8 @@ std::vector<Hypothesis> PlaneMap::merged_hypotheses() const {
       is_open[slot] = 0;
       if (!work.absorb_neighbours(slot)) continue;
       changed = true;
-      work.index_.near(work.index_.touched_by(slot), work.near_);
+      const auto all = [](std::uint32_t) { return true; };
+      work.index_.near(work.index_.touched_by(slot), all, work.near_);
       for (const std::uint32_t near : work.near_) is_open[near] = 1;
     }
   }
@@ -114,10 +115,12 @@ std::vector<Hypothesis> PlaneMap::merged_hypotheses() const {
 bool PlaneMap::absorb_neighbours(std::uint32_t slot) {
   if (!is_alive(slot)) return false;
   bool changed = false;
-  index_.near(index_.touched_by(slot), near_);
+  const auto is_parallel = [&](std::uint32_t other) {
+    return sides_[slot].normal.dot(sides_[other].normal) >= least_cosine_;
+  };
+  index_.near(index_.touched_by(slot), is_parallel, near_);
   for (const std::uint32_t other : near_) {
     if (other == slot || !is_alive(other)) continue;
-    if (sides_[slot].normal.dot(sides_[other].normal) < least_cosine_) continue;
     if (hypotheses_[other].area_m2() > hypotheses_[slot].area_m2()) continue;
     if (!are_one_plane(hypotheses_[slot], hypotheses_[other], gates_)) continue;
     const std::int64_t id = hypotheses_[slot].id;

@@ -40,7 +40,6 @@ class PlaneMap {
     Eigen::Vector3f normal;
     float d_m;
   };
-  bool may_hold(std::uint32_t slot, const PosedRibbon& ribbon) const;
   void refresh(std::uint32_t slot);
 
   bool is_alive(std::uint32_t slot) const { return !hypotheses_[slot].members().empty(); }
@@ -49,7 +48,7 @@ class PlaneMap {
   bool absorb_neighbours(std::uint32_t slot);
 
   AssociationGates gates_;
-  float least_cosine_, most_distance_m_;  // of may_hold(); the margins are far above rounding
+  float least_cosine_, most_distance_m_;  // of a Side; the margins are far above rounding
   VoxelIndex index_;
   std::int64_t next_id_;
   std::vector<Hypothesis> hypotheses_;  // by slot; without members: merged into another one

@@ -62,6 +62,7 @@ void VoxelIndex::unite(std::uint32_t into, std::uint32_t from) {
   entries_[from].part_of = into;
   std::vector<std::uint32_t>& touched = entries_[into].touched;
   const std::vector<std::uint32_t> more = std::move(entries_[from].touched);
+  for (const std::uint32_t voxel : more) voxels_[voxel].has_parts = true;
   entries_[from].touched = {};
   const auto middle = static_cast<std::ptrdiff_t>(touched.size());
   touched.insert(touched.end(), more.begin(), more.end());
@@ -77,37 +78,15 @@ std::uint32_t VoxelIndex::whole_of(std::uint32_t slot) {
 }
 
 /// Each whole once, in the order of first appearance.
-void VoxelIndex::replace_parts(std::vector<std::uint32_t>& slots) {
+void VoxelIndex::replace_parts(Voxel& voxel) {
   std::size_t kept = 0;
-  for (std::size_t i = 0; i < slots.size(); ++i) {
-    const std::uint32_t whole = whole_of(slots[i]);
-    const auto end = slots.begin() + static_cast<std::ptrdiff_t>(kept);
-    if (std::find(slots.begin(), end, whole) == end) slots[kept++] = whole;
+  for (std::size_t i = 0; i < voxel.slots.size(); ++i) {
+    const std::uint32_t whole = whole_of(voxel.slots[i]);
+    const auto end = voxel.slots.begin() + static_cast<std::ptrdiff_t>(kept);
+    if (std::find(voxel.slots.begin(), end, whole) == end) voxel.slots[kept++] = whole;
   }
-  slots.resize(kept);
-}
-
-void VoxelIndex::near(const std::vector<std::uint32_t>& voxels, std::vector<std::uint32_t>& slots) {
-  slots.clear();
-  ++question_;
-  for (const std::uint32_t voxel : voxels) {
-    for (const std::uint32_t around : voxels_[voxel].around) {
-      if (voxels_[around].question == question_) continue;
-      voxels_[around].question = question_;
-      append_slots_of(voxels_[around], slots);
-    }
-  }
-}
-
-/// Those that the question was not yet answered with.
-void VoxelIndex::append_slots_of(Voxel& voxel, std::vector<std::uint32_t>& slots) {
-  const auto is_part = [this](std::uint32_t slot) { return entries_[slot].part_of != slot; };
-  if (std::any_of(voxel.slots.begin(), voxel.slots.end(), is_part)) replace_parts(voxel.slots);
-  for (const std::uint32_t slot : voxel.slots) {
-    if (entries_[slot].question == question_) continue;
-    entries_[slot].question = question_;
-    slots.push_back(slot);
-  }
+  voxel.slots.resize(kept);
+  voxel.has_parts = false;
 }
 
 std::size_t VoxelIndex::memory_bytes() const {

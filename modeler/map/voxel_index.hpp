@@ -30,8 +30,24 @@ class VoxelIndex {
   /// `from` becomes a part of `into`.
   void unite(std::uint32_t into, std::uint32_t from);
 
-  /// Slots near any of the voxels, each once.
-  void near(const std::vector<std::uint32_t>& voxels, std::vector<std::uint32_t>& slots);
+  /// Slots near any of the voxels for which accepts(slot) is true, each once.
+  template <typename Accepts>
+  void near(const std::vector<std::uint32_t>& voxels, const Accepts& accepts,
+            std::vector<std::uint32_t>& slots) {
+    slots.clear();
+    ++question_;
+    for (const std::uint32_t voxel : voxels) {
+      for (const std::uint32_t around : voxels_[voxel].around) {
+        if (voxels_[around].question == question_) continue;
+        voxels_[around].question = question_;
+        for (const std::uint32_t slot : wholes_in(voxels_[around])) {
+          if (!accepts(slot) || entries_[slot].question == question_) continue;
+          entries_[slot].question = question_;
+          slots.push_back(slot);
+        }
+      }
+    }
+  }
 
   const std::vector<std::uint32_t>& touched_by(std::uint32_t slot) const {
     return entries_[slot].touched;
@@ -43,6 +59,7 @@ class VoxelIndex {
     std::vector<std::uint32_t> slots;   // that touch it
     std::vector<std::uint32_t> around;  // voxels: itself and those next to it
     std::uint32_t question = 0;         // the last one that it answered
+    bool has_parts = false;             // among its slots
   };
   struct Entry {
     std::vector<std::uint32_t> touched;  // sorted
@@ -52,8 +69,11 @@ class VoxelIndex {
 
   std::uint32_t voxel_of(VoxelKey key);
   std::uint32_t whole_of(std::uint32_t slot);
-  void replace_parts(std::vector<std::uint32_t>& slots);
-  void append_slots_of(Voxel& voxel, std::vector<std::uint32_t>& slots);
+  const std::vector<std::uint32_t>& wholes_in(Voxel& voxel) {
+    if (voxel.has_parts) replace_parts(voxel);
+    return voxel.slots;
+  }
+  void replace_parts(Voxel& voxel);
 
   double voxel_m_;
   tsl::robin_map<VoxelKey, std::uint32_t, KeyHash> numbers_;  // of voxels
