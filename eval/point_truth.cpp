@@ -61,8 +61,9 @@ Overlaps PointTruth::overlaps(const Modeler& modeler, const std::vector<Plane>& 
   const std::vector<int> plane_of_ribbon = ribbon_labels(modeler.ribbons().size(), planes);
   Overlaps overlaps(planes_.size(), planes.size());
   auto ribbon = modeler.ribbons().begin();  // they come in the order of their poses
-  for (std::size_t pose = 0; pose < modeler.trajectory().size(); ++pose) {
-    const Line* line = line_at(modeler.trajectory()[pose].stamp);
+  const std::vector<StampedPose> trajectory = modeler.trajectory();
+  for (std::size_t pose = 0; pose < trajectory.size(); ++pose) {
+    const Line* line = line_at(trajectory[pose].stamp);
     std::vector<int> estimated(line ? line->labels.size() : 0, kNoRibbon);
     for (; ribbon != modeler.ribbons().end() && ribbon->pose == pose; ++ribbon) {
       const auto label =
@@ -97,8 +98,9 @@ const sim::TruthPlane* PointTruth::plane_of(const Ribbon& ribbon, const Line& li
 
 std::optional<RibbonErrors> PointTruth::ribbon_errors(const Modeler& modeler) const {
   std::vector<double> angles_deg, distances_m;
+  const std::vector<StampedPose> trajectory = modeler.trajectory();
   for (const Ribbon& ribbon : modeler.ribbons()) {
-    const StampedPose& pose = modeler.trajectory()[ribbon.pose];
+    const StampedPose& pose = trajectory[ribbon.pose];
     const Line* line = line_at(pose.stamp);
     const sim::TruthPlane* plane = line ? plane_of(ribbon, *line) : nullptr;
     if (!plane) continue;

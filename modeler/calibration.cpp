@@ -138,11 +138,12 @@ bool Calibrator::has_rested() const { return lines_stopped_ >= kLeastLines; }
 RibbonSpread Calibrator::spread(const Plane& plane, std::size_t first_ribbon,
                                 std::size_t end_ribbon) const {
   const Interior interior(plane);
+  const std::vector<StampedPose> trajectory = modeler_.trajectory();
   RibbonSpread spread;
   double cosines = 0.0, square_cosines = 0.0;
   for (std::size_t i = first_ribbon; i < end_ribbon; ++i) {
     const Ribbon& ribbon = modeler_.ribbons()[i];
-    const Pose& T_map_base = modeler_.trajectory()[ribbon.pose].T_map_base;
+    const Pose& T_map_base = trajectory[ribbon.pose].T_map_base;
     const Eigen::Vector3d centroid = T_map_base * ribbon.spread.mean();
     const Eigen::Vector3d normal = T_map_base.linear() * ribbon.normal.cast<double>();
     const double distance_m = std::abs(plane.normal.dot(centroid) + plane.d_m);

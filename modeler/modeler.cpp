@@ -4,6 +4,7 @@
 
 #include <cmath>
 
+#include "modeler/geometry/grow.hpp"
 #include "modeler/map/evidence.hpp"
 #include "modeler/map/plane_builder.hpp"
 #include "modeler/map/plane_map.hpp"
@@ -48,14 +49,17 @@ struct Modeler::State {
     const ScanLine& middle = buffer.middle();
     const std::vector<Ribbon>& found = extraction.extract(buffer, points);
     trajectory.add({{middle.stamp, middle.T_map_base}, middle.T_odom_base});
-    const auto pose = static_cast<std::uint32_t>(trajectory.poses().size() - 1);
+    const auto pose = static_cast<std::uint32_t>(trajectory.size() - 1);
+    const Pose T_world_base = trajectory.T_map_base(0).inverse(Eigen::Isometry) *
+                              trajectory.T_map_base(pose);
+    grow_sparingly(strays);
     strays.push_back(extraction.strays(buffer, points));
     strays.back().pose = pose;
     for (Ribbon ribbon : found) {
       ribbon.pose = pose;
+      grow_sparingly(ribbons);
       ribbons.push_back(ribbon);
-      const auto index = static_cast<std::uint32_t>(ribbons.size() - 1);
-      map.add(evidence().ribbon(index), index);
+      map.add({ribbon, T_world_base}, static_cast<std::uint32_t>(ribbons.size() - 1));
     }
   }
 
@@ -130,7 +134,7 @@ std::vector<Plane> Modeler::merged_planes() const {
   return filtered_planes(s.map.merged_hypotheses(), s.map.gates(), s.evidence(), s.config.map);
 }
 
-const std::vector<StampedPose>& Modeler::trajectory() const { return state_->trajectory.poses(); }
+std::vector<StampedPose> Modeler::trajectory() const { return state_->trajectory.poses(); }
 
 const std::vector<Ribbon>& Modeler::ribbons() const { return state_->ribbons; }
 

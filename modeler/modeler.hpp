@@ -65,7 +65,7 @@ class Modeler {
 
   /// Acquisition poses as they are now (corrected if there was a correction), one per line in
   /// the model, stamps strictly increasing.
-  const std::vector<StampedPose>& trajectory() const;
+  std::vector<StampedPose> trajectory() const;
 
   /// All ribbons in the order of their lines and beams, each in the frame of its acquisition pose,
   /// which is the one of that index in trajectory(). Valid until the model changes.

@@ -17,14 +17,15 @@ class Evidence {
  public:
   Evidence(const std::vector<Ribbon>& ribbons, const std::vector<StrayPoints>& strays,
            const std::vector<StampedPose>& poses)
-      : ribbons_(&ribbons), strays_(&strays), poses_(&poses) {
-    if (!poses.empty()) T_world_map_ = T_map_world().inverse(Eigen::Isometry);
+      : ribbons_(&ribbons), strays_(&strays) {
+    if (poses.empty()) return;
+    T_map_world_ = poses.front().T_map_base;
+    const Pose T_world_map = T_map_world_.inverse(Eigen::Isometry);
+    for (const StampedPose& pose : poses) T_world_base_.emplace_back(T_world_map * pose.T_map_base);
   }
 
-  Pose T_map_world() const { return poses_->front().T_map_base; }
-  Pose T_world_base(std::uint32_t pose) const {
-    return Pose(T_world_map_ * (*poses_)[pose].T_map_base);
-  }
+  const Pose& T_map_world() const { return T_map_world_; }
+  const Pose& T_world_base(std::uint32_t pose) const { return T_world_base_[pose]; }
 
   std::size_t ribbon_count() const { return ribbons_->size(); }
   const Ribbon& source(std::size_t index) const { return (*ribbons_)[index]; }
@@ -39,8 +40,8 @@ class Evidence {
  private:
   const std::vector<Ribbon>* ribbons_;
   const std::vector<StrayPoints>* strays_;
-  const std::vector<StampedPose>* poses_;
-  Pose T_world_map_ = Pose::Identity();
+  Pose T_map_world_ = Pose::Identity();
+  std::vector<Pose> T_world_base_;
 };
 
 }  // namespace ribbon_mapper

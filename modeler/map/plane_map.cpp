@@ -7,6 +7,8 @@
 #include <set>
 #include <unordered_map>
 
+#include "modeler/geometry/grow.hpp"
+
 namespace ribbon_mapper {
 
 PlaneMap::PlaneMap(const PlaneMapConfig& config, const AssociationGates& gates,
@@ -38,6 +40,7 @@ void PlaneMap::add(const PosedRibbon& ribbon, std::uint32_t index) {
   }
   if (others_.empty()) {
     slot = static_cast<std::uint32_t>(hypotheses_.size());
+    grow_sparingly(hypotheses_);
     hypotheses_.emplace_back(next_id_++);
     sides_.emplace_back();
     best = 1.0;
@@ -163,8 +166,9 @@ void PlaneMap::take_ids_from(const PlaneMap& before) {
 }
 
 std::size_t PlaneMap::memory_bytes() const {
-  std::size_t bytes = index_.memory_bytes() + hypotheses_.capacity() * sizeof(Hypothesis);
-  for (const Hypothesis& plane : hypotheses_) bytes += plane.members().size() * sizeof(Member);
+  std::size_t bytes = index_.memory_bytes() + hypotheses_.capacity() * sizeof(Hypothesis) +
+                      sides_.capacity() * sizeof(Side);
+  for (const Hypothesis& plane : hypotheses_) bytes += plane.members().capacity() * sizeof(Member);
   return bytes;
 }
 

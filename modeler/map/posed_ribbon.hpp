@@ -15,7 +15,6 @@ namespace ribbon_mapper {
 struct PosedRibbon {
   PosedRibbon(const Ribbon& source, const Pose& pose)
       : ribbon(&source),
-        T_world_base(pose),
         moments(source.spread.transformed(pose)),
         centroid(moments.mean()),
         normal(pose.linear() * source.normal.cast<double>()),
@@ -28,7 +27,6 @@ struct PosedRibbon {
   }
 
   const Ribbon* ribbon;
-  Pose T_world_base;
   Moments moments;
   Eigen::Vector3d centroid, normal, along, across;
 };

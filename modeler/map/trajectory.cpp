@@ -4,22 +4,52 @@
 
 #include <stdexcept>
 
+#include "modeler/geometry/grow.hpp"
+
 namespace ribbon_mapper {
 
 void Trajectory::add(const RecordedPose& recorded) {
-  recorded_.push_back(recorded);
-  current_.push_back(recorded.in_map);
-  if (correction_ && !config_.poses_follow) {
-    current_.back().T_map_base = correction_->corrected(recorded);
-  }
+  grow_sparingly(stamps_);
+  stamps_.push_back(recorded.in_map.stamp);
+  T_map_base_recorded_.push_back(recorded.in_map.T_map_base);
+  T_odom_base_recorded_.push_back(recorded.T_odom_base);
+  if (!correction_) return;
+  T_map_base_.push_back(config_.poses_follow ? recorded.in_map.T_map_base
+                                             : correction_->corrected(recorded));
 }
 
 void Trajectory::correct(const std::vector<StampedPose>& corrected) {
-  if (recorded_.empty()) throw std::invalid_argument("there is no model to correct yet");
-  correction_.emplace(recorded_, corrected);
-  for (std::size_t i = 0; i < recorded_.size(); ++i) {
-    current_[i].T_map_base = correction_->corrected(recorded_[i]);
-  }
+  if (stamps_.empty()) throw std::invalid_argument("there is no model to correct yet");
+  correction_.emplace(recorded(), corrected);
+  if (T_map_base_.empty()) T_map_base_ = T_map_base_recorded_;
+  for (std::size_t i = 0; i < size(); ++i) T_map_base_.set(i, correction_->corrected(recorded(i)));
+}
+
+Pose Trajectory::T_map_base(std::size_t index) const {
+  return T_map_base_.empty() ? T_map_base_recorded_[index] : T_map_base_[index];
+}
+
+std::vector<StampedPose> Trajectory::poses() const {
+  std::vector<StampedPose> poses;
+  poses.reserve(size());
+  for (std::size_t i = 0; i < size(); ++i) poses.push_back({stamps_[i], T_map_base(i)});
+  return poses;
+}
+
+RecordedPose Trajectory::recorded(std::size_t index) const {
+  return {{stamps_[index], T_map_base_recorded_[index]}, T_odom_base_recorded_[index]};
+}
+
+std::vector<RecordedPose> Trajectory::recorded() const {
+  std::vector<RecordedPose> poses;
+  poses.reserve(size());
+  for (std::size_t i = 0; i < size(); ++i) poses.push_back(recorded(i));
+  return poses;
+}
+
+std::size_t Trajectory::memory_bytes() const {
+  return stamps_.capacity() * sizeof(Time) + T_map_base_recorded_.memory_bytes() +
+         T_odom_base_recorded_.memory_bytes() + T_map_base_.memory_bytes();
 }
 
 }  // namespace ribbon_mapper

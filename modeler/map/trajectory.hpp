@@ -5,6 +5,7 @@
 #include <optional>
 #include <vector>
 
+#include "modeler/geometry/packed_poses.hpp"
 #include "modeler/geometry/pose.hpp"
 #include "modeler/map/correction.hpp"
 #include "modeler/map/correction_config.hpp"
@@ -23,17 +24,20 @@ class Trajectory {
   /// Throws as Correction does; the trajectory is then as it was.
   void correct(const std::vector<StampedPose>& corrected);
 
-  const std::vector<StampedPose>& poses() const { return current_; }
-  const StampedPose& recorded(std::size_t index) const { return recorded_[index].in_map; }
-  std::size_t memory_bytes() const {
-    return recorded_.capacity() * sizeof(RecordedPose) + current_.capacity() * sizeof(StampedPose);
-  }
+  std::size_t size() const { return stamps_.size(); }
+  /// As it is now.
+  Pose T_map_base(std::size_t index) const;
+  std::vector<StampedPose> poses() const;
+  RecordedPose recorded(std::size_t index) const;
+  std::vector<RecordedPose> recorded() const;
   bool is_corrected() const { return correction_.has_value(); }
+  std::size_t memory_bytes() const;
 
  private:
   CorrectionConfig config_;
-  std::vector<RecordedPose> recorded_;
-  std::vector<StampedPose> current_;
+  std::vector<Time> stamps_;
+  PackedPoses T_map_base_recorded_, T_odom_base_recorded_;
+  PackedPoses T_map_base_;  // empty before the first correction
   std::optional<Correction> correction_;
 };
 

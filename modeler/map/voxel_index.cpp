@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "modeler/geometry/grow.hpp"
+
 namespace ribbon_mapper {
 namespace {
 
@@ -47,6 +49,7 @@ void VoxelIndex::voxels_of(const PosedRibbon& ribbon, std::vector<std::uint32_t>
 
 void VoxelIndex::enter(std::uint32_t slot, const std::vector<std::uint32_t>& voxels) {
   while (entries_.size() <= slot) {
+    grow_sparingly(entries_);
     entries_.push_back({{}, static_cast<std::uint32_t>(entries_.size()), 0});
   }
   std::vector<std::uint32_t>& touched = entries_[slot].touched;

@@ -196,7 +196,7 @@ TEST(Correct, LinesThatFollowGoOnFromTheLastChange) {
   }
   ASSERT_EQ(at_once.trajectory().size(), modeler.trajectory().size());
   for (std::size_t i = 0; i < modeler.trajectory().size(); ++i) {
-    const Pose& expected = at_once.trajectory()[i].T_map_base;
+    const Pose expected = at_once.trajectory()[i].T_map_base;
     EXPECT_LT((expected.matrix() - modeler.trajectory()[i].T_map_base.matrix()).norm(), 1e-9);
   }
   expect_same(anonymous(at_once.merged_planes()), anonymous(modeler.merged_planes()), 1e-6);

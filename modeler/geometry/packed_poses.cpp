@@ -1,0 +1,25 @@
+// SPDX-FileCopyrightText: 2026 ribbon_mapper authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "modeler/geometry/packed_poses.hpp"
+
+#include "modeler/geometry/grow.hpp"
+
+namespace ribbon_mapper {
+
+PackedPoses::Packed PackedPoses::packed(const Pose& pose) {
+  const Eigen::Quaterniond q = Eigen::Quaterniond(pose.linear()).normalized();
+  const Eigen::Vector3d t = pose.translation();
+  return {q.x(), q.y(), q.z(), q.w(), t.x(), t.y(), t.z()};
+}
+
+void PackedPoses::push_back(const Pose& pose) {
+  grow_sparingly(poses_);
+  poses_.push_back(packed(pose));
+}
+
+Pose PackedPoses::operator[](std::size_t index) const {
+  const Packed& p = poses_[index];
+  return Eigen::Translation3d(p[4], p[5], p[6]) * Eigen::Quaterniond(p[3], p[0], p[1], p[2]);
+}
+
+}  // namespace ribbon_mapper
