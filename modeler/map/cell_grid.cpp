@@ -18,9 +18,15 @@ struct CellGrid::Counts {
   static constexpr int side = tile_side + 2;
   std::array<float, side * side> counts{};
 
-  float& at(int u, int v) { return counts[(v + 1) * side + u + 1]; }
+  float most_of_all = 0.0F;
+
+  void set(int u, int v, float count) {
+    counts[(v + 1) * side + u + 1] = count;
+    most_of_all = std::max(most_of_all, count);
+  }
   bool is_spill(int u, int v) const {
     const float* centre = &counts[(v + 1) * side + u + 1];
+    if (*centre >= spilled_share * most_of_all) return false;
     float most = 0.0F;
     for (const int row : {-side, 0, side}) {
       most = std::max({most, centre[row - 1], centre[row], centre[row + 1]});
@@ -42,8 +48,7 @@ CellGrid::Tile& CellGrid::tile_at(int column, int row) {
   return *tile;
 }
 
-inline CellGrid::Sums& CellGrid::at(double u, double v) {
-  const int column = floor_to_int(u), row = floor_to_int(v);
+inline CellGrid::Sums& CellGrid::at(int column, int row) {
   const int tile_column = column >> tile_bits, tile_row = row >> tile_bits;
   if (!last_ || last_->column != tile_column || last_->row != tile_row) {
     last_ = &tile_at(tile_column, tile_row);
@@ -52,14 +57,24 @@ inline CellGrid::Sums& CellGrid::at(double u, double v) {
   return last_->sums[(row & mask) * tile_side + (column & mask)];
 }
 
+/// Along a ribbon, places in the grid are linear in the steps. Heights do not move a sample to
+/// another cell: the ribbon is as good as parallel to the plane.
 void CellGrid::add(const PosedRibbon& ribbon) {
-  const Eigen::Vector3d centroid = to_grid_ * ribbon.centroid + grid_shift_;
-  const Eigen::Vector3d along = to_grid_ * ribbon.along, across = to_grid_ * ribbon.normal;
   const RibbonSamples& samples = ribbon.ribbon->samples;
-  samples.for_each([&](float along_m, float height_m, std::uint32_t points) {
-    const Eigen::Vector3d place = centroid + along_m * along + height_m * across;
-    Sums& sums = at(place.x(), place.y());
-    const float count = static_cast<float>(points), distance = static_cast<float>(place.z());
+  const Eigen::Vector3d start =
+      to_grid_ * ribbon.point(samples.start_m, 0.0F) + grid_shift_;
+  const int u0 = floor_to_int(start.x()), v0 = floor_to_int(start.y());
+  const Eigen::Vector3f first = (start - Eigen::Vector3d(u0, v0, 0.0)).cast<float>();
+  const Eigen::Vector3f step =
+      (to_grid_ * (RibbonSamples::along_step_m * ribbon.along)).cast<float>();
+  const auto height_step = static_cast<float>(
+      to_grid_.row(2).dot(ribbon.normal) * samples.height_step_m);
+  samples.for_each_packed([&](int steps, const PackedSample& sample) {
+    const auto way = static_cast<float>(steps);
+    Sums& sums = at(u0 + floor_to_int(first.x() + way * step.x()),
+                    v0 + floor_to_int(first.y() + way * step.y()));
+    const float count = sample.count;
+    const float distance = first.z() + way * step.z() + sample.height * height_step;
     sums.count += count;
     sums.distance_m += count * distance;
     sums.square_m2 += count * (distance * distance + samples.variance_m2);
@@ -68,7 +83,7 @@ void CellGrid::add(const PosedRibbon& ribbon) {
 
 void CellGrid::add(const Eigen::Vector3d& point, std::uint32_t count) {
   const Eigen::Vector3d place = to_grid_ * point + grid_shift_;
-  Sums& sums = at(place.x(), place.y());
+  Sums& sums = at(floor_to_int(place.x()), floor_to_int(place.y()));
   const float weight = static_cast<float>(count), distance = static_cast<float>(place.z());
   sums.count += weight;
   sums.distance_m += weight * distance;
@@ -85,8 +100,8 @@ CellGrid::Counts CellGrid::counts_around(const Tile& tile) const {
       const auto end = [](int d) { return d > 0 ? 1 : tile_side; };
       for (int v = first(dv); v < end(dv); ++v) {
         for (int u = first(du); u < end(du); ++u) {
-          counts.at(u + du * tile_side, v + dv * tile_side) =
-              found->second->sums[v * tile_side + u].count;
+          counts.set(u + du * tile_side, v + dv * tile_side,
+                     found->second->sums[v * tile_side + u].count);
         }
       }
     }

@@ -41,7 +41,7 @@ class CellGrid {
   struct Counts;
 
   Tile& tile_at(int column, int row);
-  Sums& at(double u, double v);
+  Sums& at(int column, int row);
   Counts counts_around(const Tile& tile) const;
 
   Eigen::Matrix3d to_grid_;     // rows: axis_u, axis_v in cells; normal in metres

@@ -17,9 +17,10 @@ struct KeyHash {
 };
 
 /// The largest integer that is not larger: without a call, which std::floor is on plain x86-64.
-inline std::int32_t floor_to_int(double x) {
+template <typename Real>
+std::int32_t floor_to_int(Real x) {
   const auto i = static_cast<std::int32_t>(x);
-  return i - (x < i ? 1 : 0);
+  return i - (x < static_cast<Real>(i) ? 1 : 0);
 }
 
 /// Two integers as one key.

@@ -10,7 +10,7 @@
 namespace ribbon_mapper {
 namespace {
 
-constexpr double steps_per_voxel = 8.0;  // along a ribbon
+constexpr double steps_per_voxel = 4.0;  // along a ribbon
 
 }  // namespace
 

@@ -44,13 +44,20 @@ struct RibbonSamples {
   /// Calls function(along_m, height_m, count) for each sample, in order.
   template <typename Function>
   void for_each(const Function& function) const {
+    for_each_packed([&](int steps, const PackedSample& sample) {
+      function(start_m + static_cast<float>(steps) * along_step_m,
+               static_cast<float>(sample.height) * height_step_m,
+               static_cast<std::uint32_t>(sample.count));
+    });
+  }
+
+  /// Calls function(steps, sample): so many steps from the first one.
+  template <typename Function>
+  void for_each_packed(const Function& function) const {
     int steps = 0;
     for (const PackedSample* sample = first; sample != first + size; ++sample) {
       steps += sample->advance;
-      if (sample->count == 0) continue;
-      function(start_m + static_cast<float>(steps) * along_step_m,
-               static_cast<float>(sample->height) * height_step_m,
-               static_cast<std::uint32_t>(sample->count));
+      if (sample->count > 0) function(steps, *sample);
     }
   }
 };
