@@ -43,6 +43,7 @@ void visit_keys(Config& config, Visitor& visit) {
   visit("map.corrected.distance_m", map.corrected.distance_m, 1e-3, 10.0);
   visit("map.bridged_gap_m", map.bridged_gap_m, 0.05, 10.0);
   visit("map.stripe_gap_m", map.stripe_gap_m, 0.01, 10.0);
+  visit("map.most_ribbons", map.most_ribbons, 0, 100'000'000);
   visit("map.cell_size_m", map.cell_size_m, 0.01, 1.0);
   visit("map.confirmed_ribbons", map.confirmed_ribbons, 1, 100000);
   visit("map.confirmed_area_m2", map.confirmed_area_m2, 0.0, 1000.0);

@@ -4,10 +4,11 @@
 
 #include <cmath>
 
-#include "modeler/geometry/grow.hpp"
+#include "modeler/geometry/sparing_vector.hpp"
 #include "modeler/map/evidence.hpp"
 #include "modeler/map/plane_builder.hpp"
 #include "modeler/map/plane_map.hpp"
+#include "modeler/map/thinning.hpp"
 #include "modeler/map/trajectory.hpp"
 #include "modeler/ribbon/ribbon_extraction.hpp"
 #include "modeler/scan/line_buffer.hpp"
@@ -61,7 +62,47 @@ struct Modeler::State {
       ribbons.push_back(ribbon);
       map.add({ribbon, T_world_base}, static_cast<std::uint32_t>(ribbons.size() - 1));
     }
+    if (most_ribbons() > 0 && ribbons.size() > most_ribbons()) thin();
   }
+
+  /// Leaves ribbons out where they are dense, and lines that none of the others came from.
+  void thin() {
+    const std::size_t count = most_ribbons() - most_ribbons() / 8;
+    const std::vector<std::uint32_t> kept = thinned(evidence(), count);
+    keep_only(kept, ribbons);
+    std::vector<std::uint32_t> kept_poses;
+    for (Ribbon& ribbon : ribbons) {
+      if (kept_poses.empty() || kept_poses.back() != ribbon.pose) kept_poses.push_back(ribbon.pose);
+      ribbon.pose = static_cast<std::uint32_t>(kept_poses.size() - 1);
+    }
+    trajectory.keep(kept_poses);
+    keep_only(kept_poses, strays);
+    for (std::uint32_t i = 0; i < strays.size(); ++i) strays[i].pose = i;
+    store_anew();
+    evaluate_anew(map.gates(), kept);
+  }
+
+  /// Gives back the room of samples and points that are no longer in use.
+  void store_anew() {
+    PointStore anew;
+    for (Ribbon& ribbon : ribbons) {
+      ribbon.samples.first = anew.samples.keep(ribbon.samples.first, ribbon.samples.size);
+    }
+    for (StrayPoints& points : strays) points.first = anew.strays.keep(points.first, points.size);
+    points = std::move(anew);
+  }
+
+  /// All ribbons at the poses of now. `index_before`: see PlaneMap::take_ids_from().
+  void evaluate_anew(const AssociationGates& gates,
+                     const std::vector<std::uint32_t>& index_before = {}) {
+    PlaneMap anew(config.map, gates, map.next_id());
+    const Evidence all = evidence();
+    for (std::uint32_t i = 0; i < ribbons.size(); ++i) anew.add(all.ribbon(i), i);
+    anew.take_ids_from(map, index_before);
+    map = std::move(anew);
+  }
+
+  std::size_t most_ribbons() const { return static_cast<std::size_t>(config.map.most_ribbons); }
 
   Evidence evidence() const { return {ribbons, strays, trajectory.poses()}; }
 
@@ -115,11 +156,7 @@ LineResult Modeler::add_scan_line(const LaserBeams& beams, const LinePoses& pose
 void Modeler::correct(const std::vector<StampedPose>& corrected_trajectory) {
   State& s = *state_;
   s.trajectory.correct(corrected_trajectory);
-  PlaneMap again(s.config.map, s.config.map.corrected, s.map.next_id());
-  const Evidence evidence = s.evidence();
-  for (std::uint32_t i = 0; i < s.ribbons.size(); ++i) again.add(evidence.ribbon(i), i);
-  again.take_ids_from(s.map);
-  s.map = std::move(again);
+  s.evaluate_anew(s.config.map.corrected);
   ++s.revision;
 }
 

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "modeler/geometry/packed_poses.hpp"
 
-#include "modeler/geometry/grow.hpp"
+#include "modeler/geometry/sparing_vector.hpp"
 
 namespace ribbon_mapper {
 
@@ -16,6 +16,8 @@ void PackedPoses::push_back(const Pose& pose) {
   grow_sparingly(poses_);
   poses_.push_back(packed(pose));
 }
+
+void PackedPoses::keep(const std::vector<std::uint32_t>& indices) { keep_only(indices, poses_); }
 
 Pose PackedPoses::operator[](std::size_t index) const {
   const Packed& p = poses_[index];

@@ -4,6 +4,7 @@
 
 #include <array>
 #include <cstddef>
+#include <cstdint>
 #include <vector>
 
 #include "modeler/geometry/pose.hpp"
@@ -15,6 +16,8 @@ class PackedPoses {
  public:
   void push_back(const Pose& pose);
   void set(std::size_t index, const Pose& pose) { poses_[index] = packed(pose); }
+  /// Leaves out all but these, in order.
+  void keep(const std::vector<std::uint32_t>& indices);
   Pose operator[](std::size_t index) const;
 
   std::size_t size() const { return poses_.size(); }

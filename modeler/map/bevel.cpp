@@ -18,9 +18,22 @@ Eigen::Vector3d measured(const Plane& plane, const PlaneCell& cell) {
   return cell_centre(plane, cell) + cell.mean_m * plane.normal;
 }
 
+/// Around all of these points.
 Eigen::AlignedBox3d box_of(const Plane& plane) {
+  Eigen::AlignedBox2i grid;
+  float most_m = 0.0F;
+  for (const PlaneCell& cell : plane.cells) {
+    grid.extend(Eigen::Vector2i(cell.u, cell.v));
+    most_m = std::max(most_m, std::abs(cell.mean_m));
+  }
   Eigen::AlignedBox3d box;
-  for (const PlaneCell& cell : plane.cells) box.extend(measured(plane, cell));
+  for (const int u : {grid.min().x(), grid.max().x() + 1}) {
+    for (const int v : {grid.min().y(), grid.max().y() + 1}) {
+      const Eigen::Vector3d corner = grid_corner(plane, u, v);
+      box.extend(corner + most_m * plane.normal);
+      box.extend(corner - most_m * plane.normal);
+    }
+  }
   return box;
 }
 
@@ -67,6 +80,7 @@ class Ground {
 };
 
 bool is_bevel(const Plane& plane, std::vector<Ground>& larger) {
+  if (plane.cells.empty()) return false;
   const Eigen::AlignedBox3d box = box_of(plane);
   std::vector<bool> explained(plane.cells.size(), false);
   for (Ground& ground : larger) {

@@ -7,7 +7,7 @@
 #include <set>
 #include <unordered_map>
 
-#include "modeler/geometry/grow.hpp"
+#include "modeler/geometry/sparing_vector.hpp"
 
 namespace ribbon_mapper {
 
@@ -134,7 +134,8 @@ bool PlaneMap::absorb_neighbours(std::uint32_t slot) {
   return changed;
 }
 
-void PlaneMap::take_ids_from(const PlaneMap& before) {
+void PlaneMap::take_ids_from(const PlaneMap& before,
+                             const std::vector<std::uint32_t>& index_before) {
   std::unordered_map<std::uint32_t, std::int64_t> id_before;  // of each ribbon
   for (const Hypothesis& plane : before.hypotheses_) {
     for (const Member& member : plane.members()) id_before[member.ribbon] = plane.id;
@@ -148,7 +149,8 @@ void PlaneMap::take_ids_from(const PlaneMap& before) {
   for (std::uint32_t slot = 0; slot < hypotheses_.size(); ++slot) {
     std::map<std::int64_t, std::size_t> ribbons;
     for (const Member& member : hypotheses_[slot].members()) {
-      const auto found = id_before.find(member.ribbon);
+      const auto found = id_before.find(index_before.empty() ? member.ribbon
+                                                             : index_before[member.ribbon]);
       if (found != id_before.end()) ++ribbons[found->second];
     }
     for (const auto& [id, count] : ribbons) shares.push_back({count, id, slot});

@@ -28,7 +28,8 @@ class PlaneMap {
 
   /// For a map of the same ribbons evaluated again: a hypothesis takes the id of the one in `before`
   /// with which it shares the most ribbons, as far as that is still free.
-  void take_ids_from(const PlaneMap& before);
+  /// `index_before`: of each ribbon, if they are numbered anew.
+  void take_ids_from(const PlaneMap& before, const std::vector<std::uint32_t>& index_before = {});
   std::int64_t next_id() const { return next_id_; }
   const AssociationGates& gates() const { return gates_; }
 

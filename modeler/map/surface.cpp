@@ -39,7 +39,6 @@ Plane frame_of(const Hypothesis& hypothesis, const PlaneMapConfig& config) {
   plane.cell_size_m = config.cell_size_m;
   plane.ribbon_count = hypothesis.members().size();
   for (const Member& member : hypothesis.members()) plane.ribbons.push_back(member.ribbon);
-  std::sort(plane.ribbons.begin(), plane.ribbons.end());
   plane.normal = hypothesis.normal();
   plane.d_m = hypothesis.d_m();
   plane.origin = -plane.d_m * plane.normal;
@@ -181,7 +180,9 @@ Surface::Surface(const Hypothesis& hypothesis, const Evidence& evidence,
 }
 
 void Surface::refresh() {
-  std::sort(plane_.ribbons.begin(), plane_.ribbons.end());
+  if (!std::is_sorted(plane_.ribbons.begin(), plane_.ribbons.end())) {
+    std::sort(plane_.ribbons.begin(), plane_.ribbons.end());
+  }
   plane_.cells = grid_.cells();
   plane_.area_m2 = plane_.cells.size() * plane_.cell_size_m * plane_.cell_size_m;
   plane_.centroid.setZero();

@@ -4,7 +4,7 @@
 
 #include <stdexcept>
 
-#include "modeler/geometry/grow.hpp"
+#include "modeler/geometry/sparing_vector.hpp"
 
 namespace ribbon_mapper {
 
@@ -23,6 +23,13 @@ void Trajectory::correct(const std::vector<StampedPose>& corrected) {
   correction_.emplace(recorded(), corrected);
   if (T_map_base_.empty()) T_map_base_ = T_map_base_recorded_;
   for (std::size_t i = 0; i < size(); ++i) T_map_base_.set(i, correction_->corrected(recorded(i)));
+}
+
+void Trajectory::keep(const std::vector<std::uint32_t>& indices) {
+  keep_only(indices, stamps_);
+  T_map_base_recorded_.keep(indices);
+  T_odom_base_recorded_.keep(indices);
+  if (!T_map_base_.empty()) T_map_base_.keep(indices);
 }
 
 Pose Trajectory::T_map_base(std::size_t index) const {

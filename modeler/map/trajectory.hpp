@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <cstdint>
 #include <optional>
 #include <vector>
 
@@ -23,6 +24,9 @@ class Trajectory {
 
   /// Throws as Correction does; the trajectory is then as it was.
   void correct(const std::vector<StampedPose>& corrected);
+
+  /// Leaves out all poses but these, in order.
+  void keep(const std::vector<std::uint32_t>& indices);
 
   std::size_t size() const { return stamps_.size(); }
   /// As it is now.

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "modeler/geometry/grow.hpp"
+#include "modeler/geometry/sparing_vector.hpp"
 
 namespace ribbon_mapper {
 namespace {

@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <limits>
 
 #include "test/modeler/plane_matchers.hpp"
@@ -62,6 +63,43 @@ TEST(Modeler, PointsOfNoRibbonAreWhereTheRobotSawThem) {
     on_strips += std::abs(cell_centre(planes[0], cell).y()) > 0.65;
   }
   EXPECT_GT(on_strips, 0.7 * 2 * (0.09 / 0.05) * (2.5 / 0.05));
+}
+
+/// The robot goes round and round in one room, with a limit that it reaches within the first round.
+TEST(Modeler, StaysWithinItsMemoryAllDay) {
+  ModelerConfig config;
+  config.map.most_ribbons = 600;
+  Modeler modeler(config);
+  std::size_t most_bytes_in_first_half = 0;
+  constexpr int rounds = 12;
+  for (int round = 0; round < rounds; ++round) {
+    for (Line line : tour_without_drift()) {
+      line.beams.stamp += from_seconds(20.0 * round);
+      const LineResult result = modeler.add_scan_line(line.beams, line.poses);
+      ASSERT_TRUE(result == LineResult::modelled || result == LineResult::too_close);
+      ASSERT_LE(modeler.statistics().ribbons, 600u);
+    }
+    const std::size_t bytes = modeler.memory_bytes();
+    if (round < rounds / 2) most_bytes_in_first_half = std::max(most_bytes_in_first_half, bytes);
+    EXPECT_LT(bytes, most_bytes_in_first_half * 5 / 4) << "round " << round;
+    expect_one_for_each(room(), modeler.merged_planes(), 0.3, 0.01);
+  }
+  const auto trajectory = modeler.trajectory();
+  EXPECT_LE(trajectory.size(), 600u);
+  for (const Ribbon& ribbon : modeler.ribbons()) ASSERT_LT(ribbon.pose, trajectory.size());
+}
+
+/// The corrected model of thinned ribbons is as good.
+TEST(Modeler, IsCorrectedAlsoAfterThinning) {
+  ModelerConfig config;
+  config.map.most_ribbons = 600;
+  Modeler modeler(config);
+  const Motion motion{around_the_middle, to_and_fro, wandering_drift};
+  const Lines lines = drive(room(), motion, 0.0, 15.0);
+  for (const Line& line : lines) modeler.add_scan_line(line.beams, line.poses);
+  ASSERT_LT(modeler.trajectory().size(), 550u);
+  modeler.correct(true_trajectory(lines));
+  expect_one_for_each(room(), modeler.merged_planes(), 0.3, 0.01);
 }
 
 TEST(Modeler, AnEmptyOneHasNothing) {

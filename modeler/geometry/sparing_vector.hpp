@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <cstddef>
+#include <cstdint>
 #include <vector>
 
 namespace ribbon_mapper {
@@ -12,6 +14,13 @@ void grow_sparingly(std::vector<Element>& elements) {
   if (elements.size() == elements.capacity()) {
     elements.reserve(elements.size() + elements.size() / 8 + 16);
   }
+}
+
+/// Leaves out all elements but these, in order.
+template <typename Element>
+void keep_only(const std::vector<std::uint32_t>& indices, std::vector<Element>& elements) {
+  for (std::size_t i = 0; i < indices.size(); ++i) elements[i] = elements[indices[i]];
+  elements.resize(indices.size());
 }
 
 }  // namespace ribbon_mapper

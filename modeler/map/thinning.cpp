@@ -1,0 +1,99 @@
+// SPDX-FileCopyrightText: 2026 ribbon_mapper authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "modeler/map/thinning.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+#include <queue>
+
+#include <tsl/robin_map.h>
+
+#include "modeler/map/voxel_key.hpp"
+
+namespace ribbon_mapper {
+namespace {
+
+constexpr double place_m = 0.25;  // five cells: a few lines of one sweep
+
+/// How many ribbons see each place from each of six sides.
+class Density {
+ public:
+  explicit Density(const Evidence& evidence) {
+    for (std::uint32_t i = 0; i < evidence.ribbon_count(); ++i) {
+      first_.push_back(static_cast<std::uint32_t>(places_.size()));
+      enter(evidence.ribbon(i));
+    }
+    first_.push_back(static_cast<std::uint32_t>(places_.size()));
+  }
+
+  /// Of a ribbon's places, the number of ribbons in the least seen one.
+  std::uint32_t least(std::uint32_t ribbon) const {
+    std::uint32_t least = counts_[places_[first_[ribbon]]];
+    for (std::uint32_t i = first_[ribbon]; i < first_[ribbon + 1]; ++i) {
+      least = std::min(least, counts_[places_[i]]);
+    }
+    return least;
+  }
+
+  void leave_out(std::uint32_t ribbon) {
+    for (std::uint32_t i = first_[ribbon]; i < first_[ribbon + 1]; ++i) --counts_[places_[i]];
+  }
+
+ private:
+  static std::uint64_t side_of(const Eigen::Vector3d& normal) {
+    Eigen::Index axis;
+    normal.cwiseAbs().maxCoeff(&axis);
+    return 2 * static_cast<std::uint64_t>(axis) + (normal[axis] < 0.0 ? 1 : 0);
+  }
+
+  void enter(const PosedRibbon& ribbon) {
+    const RibbonSamples& samples = ribbon.ribbon->samples;
+    const int steps = static_cast<int>(std::ceil(samples.length_m() / place_m));
+    for (int i = 0; i <= steps; ++i) {
+      const double along_m = samples.start_m + samples.length_m() * i / std::max(1, steps);
+      const VoxelKey voxel = voxel_key(ribbon.centroid + along_m * ribbon.along, place_m);
+      const std::uint64_t key = KeyHash()(voxel) ^ side_of(ribbon.normal);
+      const auto number = static_cast<std::uint32_t>(counts_.size());
+      const auto [place, is_new] = numbers_.try_emplace(key, number);
+      if (is_new) counts_.push_back(0);
+      ++counts_[place->second];
+      places_.push_back(place->second);
+    }
+  }
+
+  tsl::robin_map<std::uint64_t, std::uint32_t> numbers_;  // of places
+  std::vector<std::uint32_t> counts_;                     // of each place
+  std::vector<std::uint32_t> first_, places_;             // of each ribbon
+};
+
+}  // namespace
+
+std::vector<std::uint32_t> thinned(const Evidence& evidence, std::size_t count) {
+  const std::size_t all = evidence.ribbon_count();
+  std::vector<std::uint32_t> kept(all);
+  std::iota(kept.begin(), kept.end(), 0u);
+  if (all <= count) return kept;
+  Density density(evidence);
+  std::priority_queue<std::pair<std::uint32_t, std::uint32_t>> densest;  // density, ribbon
+  for (std::uint32_t i = 0; i < all; ++i) densest.emplace(density.least(i), i);
+  std::vector<bool> is_left_out(all, false);
+  for (std::size_t left_out = 0; left_out < all - count;) {
+    const auto [density_then, ribbon] = densest.top();
+    densest.pop();
+    const std::uint32_t now = density.least(ribbon);
+    if (now < density_then) {  // others have gone since
+      densest.emplace(now, ribbon);
+      continue;
+    }
+    density.leave_out(ribbon);
+    is_left_out[ribbon] = true;
+    ++left_out;
+  }
+  kept.erase(std::remove_if(kept.begin(), kept.end(),
+                            [&](std::uint32_t i) { return is_left_out[i]; }),
+             kept.end());
+  return kept;
+}
+
+}  // namespace ribbon_mapper

@@ -1,0 +1,59 @@
+// SPDX-FileCopyrightText: 2026 ribbon_mapper authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "modeler/map/thinning.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+#include "test/modeler/map/scene.hpp"
+
+namespace ribbon_mapper {
+namespace {
+
+using namespace mini_world;
+using Vector = Eigen::Vector3d;
+
+const Vector x = Vector::UnitX(), y = Vector::UnitY(), z = Vector::UnitZ();
+
+std::size_t count_before(const std::vector<std::uint32_t>& indices, std::size_t end) {
+  return static_cast<std::size_t>(
+      std::count_if(indices.begin(), indices.end(), [&](std::uint32_t i) { return i < end; }));
+}
+
+TEST(Thinned, LeavesFewRibbonsAlone) {
+  Scene scene;
+  scene.add(patch({0, 0, 0}, x, y));
+  EXPECT_EQ(26u, thinned(scene.evidence(), 26).size());
+  EXPECT_EQ(20u, thinned(scene.evidence(), 20).size());
+}
+
+TEST(Thinned, TakesFromWhereMostSeeTheSame) {
+  Scene scene;
+  scene.add(patch({0, 0, 0}, x, y));  // seen once
+  const std::size_t once = scene.ribbons.size();
+  for (int visit = 0; visit < 20; ++visit) scene.add(patch({5, 0, 0}, x, y));
+  const auto kept = thinned(scene.evidence(), once * 5);
+  EXPECT_EQ(once * 5, kept.size());
+  EXPECT_TRUE(std::is_sorted(kept.begin(), kept.end()));
+  EXPECT_EQ(once, count_before(kept, once));
+}
+
+TEST(Thinned, TheTwoSidesOfAWallAreTwoPlaces) {
+  Scene scene;
+  scene.add(patch({2.0, 0, 0}, y, z));
+  const std::size_t once = scene.ribbons.size();
+  for (int visit = 0; visit < 20; ++visit) scene.add(patch({2.02, 0, 0}, z, y));
+  EXPECT_EQ(once, count_before(thinned(scene.evidence(), once * 5), once));
+}
+
+TEST(Thinned, ALongRibbonThatSeesNewThingsStays) {
+  Scene scene;
+  scene.ribbons.push_back(ribbon_between({0, 0.5, 0}, {4, 0.5, 0}, z));
+  for (int visit = 0; visit < 20; ++visit) scene.add(patch({0, 0, 0}, x, y));
+  const auto kept = thinned(scene.evidence(), 60);
+  EXPECT_EQ(0u, kept.front());
+}
+
+}  // namespace
+}  // namespace ribbon_mapper
