@@ -43,18 +43,10 @@ CellGrid::CellGrid(const Plane& frame) {
 }
 
 CellGrid::Tile& CellGrid::tile_at(int column, int row) {
+  if (last_ && last_->column == column && last_->row == row) return *last_;
   std::unique_ptr<Tile>& tile = tiles_[pair_key(column, row)];
   if (!tile) tile = std::make_unique<Tile>(column, row);
-  return *tile;
-}
-
-inline CellGrid::Sums& CellGrid::at(int column, int row) {
-  const int tile_column = column >> tile_bits, tile_row = row >> tile_bits;
-  if (!last_ || last_->column != tile_column || last_->row != tile_row) {
-    last_ = &tile_at(tile_column, tile_row);
-  }
-  constexpr int mask = tile_side - 1;
-  return last_->sums[(row & mask) * tile_side + (column & mask)];
+  return *(last_ = tile.get());
 }
 
 /// Along a ribbon, places in the grid are linear in the steps. Heights do not move a sample to
@@ -69,10 +61,18 @@ void CellGrid::add(const PosedRibbon& ribbon) {
       (to_grid_ * (RibbonSamples::along_step_m * ribbon.along)).cast<float>();
   const auto height_step = static_cast<float>(
       to_grid_.row(2).dot(ribbon.normal) * samples.height_step_m);
+  int tile_column = 0, tile_row = 0;
+  Sums* tile = nullptr;
+  constexpr int mask = tile_side - 1;
   samples.for_each_packed([&](int steps, const PackedSample& sample) {
     const auto way = static_cast<float>(steps);
-    Sums& sums = at(u0 + floor_to_int(first.x() + way * step.x()),
-                    v0 + floor_to_int(first.y() + way * step.y()));
+    const int column = u0 + floor_to_int(first.x() + way * step.x());
+    const int row = v0 + floor_to_int(first.y() + way * step.y());
+    if (!tile || tile_column != column >> tile_bits || tile_row != row >> tile_bits) {
+      tile_column = column >> tile_bits, tile_row = row >> tile_bits;
+      tile = tile_at(tile_column, tile_row).sums;
+    }
+    Sums& sums = tile[(row & mask) * tile_side + (column & mask)];
     const float count = sample.count;
     const float distance = first.z() + way * step.z() + sample.height * height_step;
     sums.count += count;
@@ -83,7 +83,10 @@ void CellGrid::add(const PosedRibbon& ribbon) {
 
 void CellGrid::add(const Eigen::Vector3d& point, std::uint32_t count) {
   const Eigen::Vector3d place = to_grid_ * point + grid_shift_;
-  Sums& sums = at(floor_to_int(place.x()), floor_to_int(place.y()));
+  const int column = floor_to_int(place.x()), row = floor_to_int(place.y());
+  constexpr int mask = tile_side - 1;
+  Sums& sums = tile_at(column >> tile_bits, row >> tile_bits)
+                   .sums[(row & mask) * tile_side + (column & mask)];
   const float weight = static_cast<float>(count), distance = static_cast<float>(place.z());
   sums.count += weight;
   sums.distance_m += weight * distance;

@@ -41,7 +41,6 @@ class CellGrid {
   struct Counts;
 
   Tile& tile_at(int column, int row);
-  Sums& at(int column, int row);
   Counts counts_around(const Tile& tile) const;
 
   Eigen::Matrix3d to_grid_;     // rows: axis_u, axis_v in cells; normal in metres

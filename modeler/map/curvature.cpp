@@ -24,16 +24,24 @@ struct QuadricSums {
   double heights[3][3] = {};  // times u and v, up to two together
   double square = 0.0;        // of heights
 
-  void add(double u, double v, double height, double weight) {
-    double u_power = weight;
-    for (int i = 0; i <= 4; ++i, u_power *= u) {
-      double product = u_power;
-      for (int j = 0; j + i <= 4; ++j, product *= v) {
-        powers[i][j] += product;
-        if (i + j <= 2) heights[i][j] += product * height;
-      }
+  /// Cells of one row: sums over u first.
+  void add_row(const Plane& plane, const PlaneCell* begin, const PlaneCell* end, double u0_m,
+               double v_m) {
+    double row_powers[5] = {}, row_heights[3] = {};
+    for (const PlaneCell* cell = begin; cell != end; ++cell) {
+      const double u = u0_m + (cell->u + 0.5) * plane.cell_size_m, height = cell->mean_m;
+      const double w = cell->count;  // few points, often an edge's, make a poor mean
+      const double wu = w * u, wuu = wu * u;
+      row_powers[0] += w, row_powers[1] += wu, row_powers[2] += wuu;
+      row_powers[3] += wuu * u, row_powers[4] += wuu * u * u;
+      row_heights[0] += w * height, row_heights[1] += wu * height, row_heights[2] += wuu * height;
+      square += w * height * height;
     }
-    square += weight * height * height;
+    double v_power = 1.0;
+    for (int j = 0; j <= 4; ++j, v_power *= v_m) {
+      for (int i = 0; i + j <= 4; ++i) powers[i][j] += row_powers[i] * v_power;
+      for (int i = 0; i + j <= 2; ++i) heights[i][j] += row_heights[i] * v_power;
+    }
   }
 
   Matrix6d normal_matrix() const {
@@ -63,10 +71,10 @@ Curvature curvature_of(const Plane& plane) {
   QuadricSums sums;
   const Eigen::Vector3d from_centroid = plane.origin - plane.centroid;
   const double u0 = from_centroid.dot(plane.axis_u), v0 = from_centroid.dot(plane.axis_v);
-  for (const PlaneCell& cell : plane.cells) {
-    // Few points, often an edge's, make a poor mean.
-    sums.add(u0 + (cell.u + 0.5) * plane.cell_size_m, v0 + (cell.v + 0.5) * plane.cell_size_m,
-             cell.mean_m, cell.count);
+  const PlaneCell* const end = plane.cells.data() + plane.cells.size();
+  for (const PlaneCell *row = plane.cells.data(), *next = row; row != end; row = next) {
+    while (next != end && next->v == row->v) ++next;
+    sums.add_row(plane, row, next, u0, v0 + (row->v + 0.5) * plane.cell_size_m);
   }
   const Matrix6d normal_matrix = sums.normal_matrix();
   const Vector6d right = sums.right();

@@ -57,7 +57,13 @@ class SurfaceIndex {
     for (std::uint32_t i = 0; i < surfaces.size(); ++i) enter(surfaces[i].plane(), i);
   }
 
-  const std::vector<std::uint32_t>& near(const Eigen::Vector3d& point) {
+  struct Candidate {
+    Eigen::Vector3f normal;  // of the plane of a surface: tells most that are too far
+    float d_m;
+    std::uint32_t surface;
+  };
+
+  const std::vector<Candidate>& near(const Eigen::Vector3d& point) {
     const VoxelKey key = voxel_key(point, voxel_m);
     if (key != last_key_) {
       last_key_ = key;
@@ -80,17 +86,18 @@ class SurfaceIndex {
     keys_.erase(std::unique(keys_.begin(), keys_.end()), keys_.end());
     for (const VoxelKey key : keys_) {
       for_each_around(key, [&](VoxelKey around) {
-        std::vector<std::uint32_t>& here = surfaces_[around];
-        if (here.empty() || here.back() != surface) here.push_back(surface);
+        std::vector<Candidate>& here = surfaces_[around];
+        if (!here.empty() && here.back().surface == surface) return;
+        here.push_back({plane.normal.cast<float>(), static_cast<float>(plane.d_m), surface});
       });
     }
   }
 
-  tsl::robin_map<VoxelKey, std::vector<std::uint32_t>, KeyHash> surfaces_;
+  tsl::robin_map<VoxelKey, std::vector<Candidate>, KeyHash> surfaces_;
   std::vector<VoxelKey> keys_;  // scratch
   std::optional<VoxelKey> last_key_;
-  const std::vector<std::uint32_t>* last_ = nullptr;
-  const std::vector<std::uint32_t> none_;
+  const std::vector<Candidate>* last_ = nullptr;
+  const std::vector<Candidate> none_;
 };
 
 /// Finds the surface that a single point lies on.
@@ -144,7 +151,11 @@ class StrayTaker {
   Surface* surface_of(const Eigen::Vector3d& point, const Faces& faces) {
     Surface* nearest = nullptr;
     double least_m = on_plane_m_;
-    for (const std::uint32_t slot : index_.near(point)) {
+    const Eigen::Vector3f rough = point.cast<float>();
+    const float limit_m = static_cast<float>(on_plane_m_) + 1e-3F;  // above rounding
+    for (const auto& candidate : index_.near(point)) {
+      if (std::abs(candidate.normal.dot(rough) + candidate.d_m) > limit_m) continue;
+      const std::uint32_t slot = candidate.surface;
       const Plane& plane = surfaces_[slot].plane();
       const double distance = std::abs(plane.normal.dot(point) + plane.d_m);
       if (distance > least_m || !faces(plane)) continue;
