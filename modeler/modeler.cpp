@@ -88,7 +88,7 @@ struct Modeler::State {
     for (Ribbon& ribbon : ribbons) {
       ribbon.samples.first = anew.samples.keep(ribbon.samples.first, ribbon.samples.size);
     }
-    for (StrayPoints& points : strays) points.first = anew.strays.keep(points.first, points.size);
+    for (StrayPoints& line : strays) line.first = anew.strays.keep(line.first, line.size);
     points = std::move(anew);
   }
 

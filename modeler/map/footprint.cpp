@@ -20,16 +20,16 @@ Footprint::Footprint(const Plane& plane, double reach_m)
   }
   u0_ = block_of(u_first) - 1, v0_ = block_of(plane.cells.front().v) - 1;  // sorted by (v, u)
   columns_ = block_of(u_last) + 2 - u0_, rows_ = block_of(plane.cells.back().v) + 2 - v0_;
-  is_beside_.assign(static_cast<std::size_t>(columns_) * rows_, false);
-  int last_u = -1, last_v = -1;
+  is_beside_.assign(static_cast<std::size_t>(columns_) * rows_, 0);
+  int last_u = -1, last_v = -1, row = plane.cells.front().v - 1, v = 0;
   for (const PlaneCell& cell : plane.cells) {
-    const int u = block_of(cell.u) - u0_, v = block_of(cell.v) - v0_;
+    if (cell.v != row) row = cell.v, v = block_of(row) - v0_;
+    const int u = block_of(cell.u) - u0_;
     if (u == last_u && v == last_v) continue;
     last_u = u, last_v = v;
     for (int dv = -1; dv <= 1; ++dv) {
-      for (int du = -1; du <= 1; ++du) {
-        is_beside_[static_cast<std::size_t>(v + dv) * columns_ + u + du] = true;
-      }
+      const auto middle = is_beside_.begin() + static_cast<std::ptrdiff_t>(v + dv) * columns_ + u;
+      std::fill(middle - 1, middle + 2, char{1});
     }
   }
 }
@@ -40,7 +40,7 @@ bool Footprint::holds(const Eigen::Vector3d& point, double tolerance_m) const {
   const int u = floor_to_int(place.dot(plane_->axis_u) * blocks_per_m_) - u0_;
   const int v = floor_to_int(place.dot(plane_->axis_v) * blocks_per_m_) - v0_;
   return u >= 0 && v >= 0 && u < columns_ && v < rows_ &&
-         is_beside_[static_cast<std::size_t>(v) * columns_ + u];
+         is_beside_[static_cast<std::size_t>(v) * columns_ + u] != 0;
 }
 
 }  // namespace ribbon_mapper

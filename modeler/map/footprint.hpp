@@ -26,7 +26,7 @@ class Footprint {
   const Plane* plane_;
   double blocks_per_m_;
   int u0_ = 0, v0_ = 0, columns_ = 0, rows_ = 0;
-  std::vector<bool> is_beside_;  // of each block: it or one around it holds a cell
+  std::vector<char> is_beside_;  // of each block: it or one around it holds a cell
 };
 
 }  // namespace ribbon_mapper

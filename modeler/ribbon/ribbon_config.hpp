@@ -43,8 +43,8 @@ struct RibbonConfig {
   double least_length_m = 0.10;
   int least_points = 6;
 
-  /// Points of a ribbon are kept for the cells as means over this length [m].
-  double sample_length_m = 0.025;
+  /// Points of a ribbon are kept for the cells as means over this length [m]: the side of a cell.
+  double sample_length_m = 0.05;
 };
 
 }  // namespace ribbon_mapper

@@ -182,7 +182,7 @@ TEST(RibbonExtraction, WhatIsTooShortIsNoRibbon) {
   EXPECT_TRUE(ribbons_of(precise_lines(board(0.09), tilting(0.8))).empty());
   const auto ribbons = ribbons_of(precise_lines(board(0.3), tilting(0.8)));
   ASSERT_EQ(1u, ribbons.size());
-  EXPECT_NEAR(0.3, ribbons[0].samples.length_m(), 0.03);
+  EXPECT_NEAR(0.3, ribbons[0].samples.length_m(), RibbonConfig{}.sample_length_m);
 }
 
 TEST(RibbonExtraction, NoReturnsNoRibbons) {
