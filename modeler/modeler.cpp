@@ -7,6 +7,7 @@
 #include "modeler/map/evidence.hpp"
 #include "modeler/map/plane_builder.hpp"
 #include "modeler/map/plane_map.hpp"
+#include "modeler/map/registration.hpp"
 #include "modeler/map/trajectory.hpp"
 #include "modeler/ribbon/ribbon_extraction.hpp"
 #include "modeler/scan/line_buffer.hpp"
@@ -57,6 +58,14 @@ struct Modeler::State {
       const auto index = static_cast<std::uint32_t>(ribbons.size() - 1);
       map.add(evidence().ribbon(index), index);
     }
+  }
+
+  /// Where corrected poses are too far apart for the odometry to be believed in between.
+  void register_lines() {
+    std::vector<StampedPose> registered = registered_poses(
+        {ribbons, trajectory.recorded(), trajectory.corrected(), trajectory.poses()}, config.map,
+        config.scan.range_sigma_m);
+    if (!registered.empty()) trajectory.refine(std::move(registered));
   }
 
   Evidence evidence() const { return {ribbons, strays, trajectory.poses()}; }
@@ -110,6 +119,7 @@ LineResult Modeler::add_scan_line(const LaserBeams& beams, const LinePoses& pose
 void Modeler::correct(const std::vector<StampedPose>& corrected_trajectory) {
   State& s = *state_;
   s.trajectory.correct(corrected_trajectory);
+  s.register_lines();
   PlaneMap again(s.config.map, s.config.map.corrected, s.map.next_id());
   for (std::uint32_t i = 0; i < s.ribbons.size(); ++i) again.add(s.evidence().ribbon(i), i);
   again.take_ids_from(s.map);

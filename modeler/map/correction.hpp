@@ -28,6 +28,9 @@ class Correction {
 
   Pose corrected(const RecordedPose& recorded) const;
 
+  /// The corrected poses that lie within the time of the recorded ones, with the odometry then.
+  const std::vector<RecordedPose>& poses() const { return poses_; }
+
  private:
   struct Change {
     Time stamp;
@@ -35,6 +38,7 @@ class Correction {
     Pose T_corrected_odom;  ///< the same for poses in odom
   };
   std::vector<Change> changes_;
+  std::vector<RecordedPose> poses_;  // of the changes
 };
 
 }  // namespace ribbon_mapper

@@ -1,0 +1,197 @@
+// SPDX-FileCopyrightText: 2026 ribbon_mapper authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "modeler/map/registration.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "modeler/map/bridge.hpp"
+#include "modeler/map/odometry_noise.hpp"
+#include "modeler/map/reference_planes.hpp"
+#include "modeler/map/spans.hpp"
+
+namespace ribbon_mapper {
+namespace {
+
+constexpr int rounds = 3;           // of planes and poses in turn
+constexpr int sweeps_of_round = 2;  // of a bridge
+constexpr std::uint32_t lines_of_ribbon = 3;
+// A line is placed right if its ribbons are so within a quarter of the gate, which is two sigma.
+constexpr double placed_part_of_gate = 0.25;
+
+class Registration {
+ public:
+  Registration(const CorrectedLines& lines, const PlaneMapConfig& config, double range_sigma_m);
+
+  bool is_needed() const { return !spans_.empty(); }
+  void evaluate_planes_and_poses();
+  const std::vector<StampedPose>& poses() const { return poses_; }
+
+ private:
+  void take_spans(std::vector<Span> spans);
+  void view_ribbons(const Span& span);
+  Bridge bridge_over(const Span& span) const;
+  bool is_to_be_registered(const Span& span) const;
+  void start(const Span& span);
+  void register_span(const Span& span, const Evidence& evidence, ReferencePlanes& planes);
+  void place(std::uint32_t line, const PoseBelief& belief);
+  double sigma_m(std::uint32_t line, const PoseBelief& belief) const;
+
+  const CorrectedLines& lines_;
+  const PlaneMapConfig& config_;
+  double range_sigma_m_;
+  OdometryNoise noise_;
+  std::vector<Span> spans_;                 // to be registered
+  std::vector<std::size_t> first_ribbon_;   // by line, and one behind the last
+  std::vector<std::vector<Sight>> sights_;  // by line
+  std::vector<StampedPose> poses_;          // by line
+  std::vector<StampedPose> next_poses_;     // of the round to come
+  std::vector<char> is_placed_;             // by line
+  Pose T_map_world_ = Pose::Identity();     // of the round
+};
+
+/// Of all spans whose both ends are known.
+std::vector<OdometryCheck> odometry_checks(const std::vector<Span>& spans) {
+  std::vector<OdometryCheck> checks;
+  for (const Span& span : spans) {
+    if (span.has_loose_end()) continue;
+    checks.push_back({odometry_steps(span),
+                      span.T_map_first->inverse(Eigen::Isometry) * *span.T_map_last});
+  }
+  return checks;
+}
+
+std::uint32_t most_lines_of_bridge(const std::vector<Span>& spans) {
+  std::uint32_t most = 0;
+  for (const Span& span : spans) {
+    if (!span.has_loose_end()) most = std::max(most, span.lines());
+  }
+  return most;
+}
+
+std::optional<Pose> in_world(const Pose& T_map_world, const std::optional<Pose>& T_map_base) {
+  if (!T_map_base) return std::nullopt;
+  return T_map_world.inverse(Eigen::Isometry) * *T_map_base;
+}
+
+Registration::Registration(const CorrectedLines& lines, const PlaneMapConfig& config,
+                           double range_sigma_m)
+    : lines_(lines),
+      config_(config),
+      range_sigma_m_(range_sigma_m),
+      poses_(lines.poses),
+      next_poses_(lines.poses),
+      is_placed_(lines.poses.size(), 1),
+      T_map_world_(lines.poses.front().T_map_base) {
+  std::vector<Span> spans = spans_between(lines.recorded, lines.corrected);
+  if (most_lines_of_bridge(spans) <= lines_of_ribbon) return;
+  noise_ = fitted_to(odometry_checks(spans));
+  first_ribbon_.assign(poses_.size() + 1, 0);
+  for (const Ribbon& ribbon : lines.ribbons) ++first_ribbon_[ribbon.pose + 1];
+  for (std::size_t i = 0; i < poses_.size(); ++i) first_ribbon_[i + 1] += first_ribbon_[i];
+  sights_.resize(poses_.size());
+  take_spans(std::move(spans));
+}
+
+void Registration::take_spans(std::vector<Span> spans) {
+  const std::uint32_t most_lines = most_lines_of_bridge(spans);
+  for (Span& span : spans) {
+    if (span.has_loose_end()) {
+      std::fill(is_placed_.begin() + span.first_line, is_placed_.begin() + span.end_line, 0);
+    }
+    if (span.lines() <= lines_of_ribbon || span.lines() > most_lines) continue;
+    view_ribbons(span);
+    if (!is_to_be_registered(span)) continue;
+    start(span);
+    spans_.push_back(std::move(span));
+  }
+}
+
+void Registration::view_ribbons(const Span& span) {
+  const std::vector<Pose> steps = odometry_steps(span);
+  for (std::uint32_t line = span.first_line; line < span.end_line; ++line) {
+    // On average a beam is a quarter of the time between lines from the middle of its line.
+    const Vector6 motion = 0.25 * noise_.variances(steps[line - span.first_line + 1]);
+    for (std::size_t i = first_ribbon_[line]; i < first_ribbon_[line + 1]; ++i) {
+      sights_[line].emplace_back(lines_.ribbons[i], range_sigma_m_, motion);
+    }
+  }
+}
+
+Bridge Registration::bridge_over(const Span& span) const {
+  return {odometry_steps(span), noise_, in_world(T_map_world_, span.T_map_first),
+          in_world(T_map_world_, span.T_map_last)};
+}
+
+double Registration::sigma_m(std::uint32_t line, const PoseBelief& belief) const {
+  if (sights_[line].empty()) return 0.0;
+  double square_sum = 0.0;
+  for (const Sight& sight : sights_[line]) {
+    const Pose& T = belief.T_world_base;
+    const Vector6 by_pose = jacobian_of(sight, T.linear() * sight.normal, T).row(0).transpose();
+    square_sum += by_pose.dot(belief.covariance * by_pose);
+  }
+  return std::sqrt(square_sum / static_cast<double>(sights_[line].size()));
+}
+
+void Registration::place(std::uint32_t line, const PoseBelief& belief) {
+  next_poses_[line].T_map_base = T_map_world_ * belief.T_world_base;
+  is_placed_[line] = sigma_m(line, belief) <= placed_part_of_gate * config_.corrected.distance_m;
+}
+
+bool Registration::is_to_be_registered(const Span& span) const {
+  const Bridge bridge = bridge_over(span);
+  for (std::uint32_t i = 0; i < span.lines(); ++i) {
+    if (sigma_m(span.first_line + i, bridge.without(i)) >
+        placed_part_of_gate * config_.corrected.distance_m) {
+      return true;
+    }
+  }
+  return false;
+}
+
+void Registration::start(const Span& span) {
+  const Bridge bridge = bridge_over(span);
+  for (std::uint32_t i = 0; i < span.lines(); ++i) place(span.first_line + i, bridge.without(i));
+}
+
+void Registration::register_span(const Span& span, const Evidence& evidence,
+                                 ReferencePlanes& planes) {
+  for (std::uint32_t line = span.first_line; line < span.end_line; ++line) {
+    for (std::size_t i = 0; i < sights_[line].size(); ++i) {
+      planes.find_near(evidence.ribbon(first_ribbon_[line] + i), sights_[line][i]);
+    }
+  }
+  Bridge bridge = bridge_over(span);
+  const auto observe = [&](std::size_t line, const PoseBelief& without_it) {
+    return planes.observe(sights_[span.first_line + line], without_it);
+  };
+  for (int i = 0; i < sweeps_of_round; ++i) bridge.sweep(observe);
+  for (std::uint32_t i = 0; i < span.lines(); ++i) {
+    place(span.first_line + i, updated(bridge.without(i), observe(i, bridge.without(i))));
+  }
+}
+
+void Registration::evaluate_planes_and_poses() {
+  const std::vector<StrayPoints> no_strays;
+  for (int round = 0; round < rounds; ++round) {
+    poses_ = next_poses_;
+    const Evidence evidence(lines_.ribbons, no_strays, poses_);
+    T_map_world_ = evidence.T_map_world();
+    ReferencePlanes planes(evidence, is_placed_, config_);
+    for (const Span& span : spans_) register_span(span, evidence, planes);
+  }
+  poses_ = next_poses_;
+}
+
+}  // namespace
+
+std::vector<StampedPose> registered_poses(const CorrectedLines& lines, const PlaneMapConfig& config,
+                                          double range_sigma_m) {
+  Registration registration(lines, config, range_sigma_m);
+  if (!registration.is_needed()) return {};
+  registration.evaluate_planes_and_poses();
+  return registration.poses();
+}
+
+}  // namespace ribbon_mapper
