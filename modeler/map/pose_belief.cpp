@@ -14,22 +14,6 @@ Eigen::Matrix3d cross_matrix(const Eigen::Vector3d& v) {
   return m;
 }
 
-/// Covariance once the base is `lever` (in world) further on, on the same rigid body.
-Matrix6 carried(const Matrix6& covariance, const Eigen::Vector3d& lever) {
-  Matrix6 carry = Matrix6::Identity();
-  carry.topRightCorner<3, 3>() = -cross_matrix(lever);
-  return carry * covariance * carry.transpose();
-}
-
-Matrix6 in_world(const Vector6& variances, const Eigen::Matrix3d& rotation) {
-  Matrix6 covariance = Matrix6::Zero();
-  covariance.topLeftCorner<3, 3>() =
-      rotation * variances.head<3>().asDiagonal() * rotation.transpose();
-  covariance.bottomRightCorner<3, 3>() =
-      rotation * variances.tail<3>().asDiagonal() * rotation.transpose();
-  return covariance;
-}
-
 Matrix6 symmetric(const Matrix6& m) { return 0.5 * (m + m.transpose()); }
 
 }  // namespace
@@ -54,18 +38,33 @@ Vector6 error_between(const Pose& from, const Pose& to) {
   return error;
 }
 
+Matrix6 carry(const Eigen::Vector3d& lever) {
+  Matrix6 result = Matrix6::Identity();
+  result.topRightCorner<3, 3>() = -cross_matrix(lever);
+  return result;
+}
+
+Matrix6 in_world(const Vector6& on_axes, const Eigen::Matrix3d& rotation) {
+  Matrix6 result = Matrix6::Zero();
+  result.topLeftCorner<3, 3>() = rotation * on_axes.head<3>().asDiagonal() * rotation.transpose();
+  result.bottomRightCorner<3, 3>() =
+      rotation * on_axes.tail<3>().asDiagonal() * rotation.transpose();
+  return result;
+}
+
 PoseBelief after_step(const PoseBelief& from, const Pose& step, const Vector6& variances) {
   const Eigen::Matrix3d rotation = from.T_world_base.linear();
-  const Eigen::Vector3d lever = rotation * step.translation();
+  const Matrix6 carried = carry(rotation * step.translation());
   return {from.T_world_base * step,
-          carried(from.covariance, lever) + in_world(variances, rotation)};
+          carried * from.covariance * carried.transpose() + in_world(variances, rotation)};
 }
 
 PoseBelief before_step(const PoseBelief& to, const Pose& step, const Vector6& variances) {
   const Pose T_world_base = to.T_world_base * step.inverse(Eigen::Isometry);
   const Eigen::Matrix3d rotation = T_world_base.linear();
-  const Eigen::Vector3d lever = -(rotation * step.translation());
-  return {T_world_base, carried(to.covariance + in_world(variances, rotation), lever)};
+  const Matrix6 carried = carry(-(rotation * step.translation()));
+  return {T_world_base,
+          carried * (to.covariance + in_world(variances, rotation)) * carried.transpose()};
 }
 
 PoseBelief fused(const PoseBelief& a, const PoseBelief& b) {

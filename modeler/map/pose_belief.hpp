@@ -30,6 +30,12 @@ struct Observation {
 Pose moved(const Pose& T_world_base, const Vector6& error);
 Vector6 error_between(const Pose& from, const Pose& to);
 
+/// Takes an error of a base to that of a point of it that lies `lever` (in world) further on.
+Matrix6 carry(const Eigen::Vector3d& lever);
+
+/// Turns the blocks of numbers on the axes of a base to those of the world.
+Matrix6 in_world(const Vector6& on_axes, const Eigen::Matrix3d& rotation);
+
 /// The belief after a step of the odometry, and of the pose that the step was made from. Variances
 /// of the step's error are in the frame of the base.
 PoseBelief after_step(const PoseBelief& from, const Pose& step, const Vector6& variances);

@@ -15,46 +15,13 @@ constexpr double degree = M_PI / 180.0;
 constexpr double gate_square_sigmas = 11.8;
 // Of two planes the likelier one must be e^2 times as likely, unless they lie within the noise.
 constexpr double ambiguous_square_sigmas = 4.0;
-// Part of a range's sigma that the points of a ribbon share (bias of a surface, of an angle).
-constexpr double shared_part = 0.25;
-
 double square(double x) { return x * x; }
 
 double tilt(const Eigen::Vector3d& normal, const Eigen::Vector3d& direction) {
   return std::asin(std::min(1.0, std::abs(normal.dot(direction))));
 }
 
-/// A surface that is seen at this point moves by this with a motion of the base (in its frame).
-double variance_along(const Eigen::Vector3d& normal, const Eigen::Vector3d& lever,
-                      const Vector6& variances) {
-  const Eigen::Vector3d turn = lever.cross(normal);
-  return normal.cwiseAbs2().dot(variances.head<3>()) + turn.cwiseAbs2().dot(variances.tail<3>());
-}
-
 }  // namespace
-
-Sight::Sight(const Ribbon& ribbon, double range_sigma_m, const Vector6& motion_variances)
-    : sigma_across_rad(ribbon.sigma_across_rad) {
-  const PosedRibbon here(ribbon, Pose::Identity());
-  centroid = here.centroid, normal = here.normal, along = here.along, across = here.across;
-  const double variance = square(range_sigma_m), points = here.moments.weight();
-  const Eigen::Vector3d turn = along.cross(normal);
-  distance_variance = variance / points + square(shared_part) * variance +
-                      variance_along(normal, centroid, motion_variances);
-  // Of a straight line through points spread evenly over its length.
-  tilt_variance = 12.0 * (variance / points + square(shared_part) * variance) /
-                      square(ribbon.length_m) +
-                  turn.cwiseAbs2().dot(motion_variances.tail<3>());
-}
-
-Jacobian jacobian_of(const Sight& sight, const Eigen::Vector3d& normal, const Pose& T_world_base) {
-  const Eigen::Vector3d lever = T_world_base.linear() * sight.centroid;
-  const Eigen::Vector3d along = T_world_base.linear() * sight.along;
-  Jacobian jacobian;
-  jacobian << normal.transpose(), lever.cross(normal).transpose(),
-      Eigen::RowVector3d::Zero(), along.cross(normal).transpose();
-  return jacobian;
-}
 
 ReferencePlanes::ReferencePlanes(const Evidence& evidence, const std::vector<char>& is_placed,
                                  const PlaneMapConfig& config)
@@ -67,7 +34,9 @@ ReferencePlanes::ReferencePlanes(const Evidence& evidence, const std::vector<cha
   for (const Hypothesis& hypothesis : map.merged_hypotheses()) {
     if (hypothesis.members().size() < static_cast<std::size_t>(config.confirmed_ribbons)) continue;
     enter(static_cast<std::uint32_t>(planes_.size()), hypothesis, evidence);
-    planes_.push_back({hypothesis.normal(), hypothesis.d_m()});
+    const Eigen::Vector3d axis_u = hypothesis.fit().axes.col(2);
+    planes_.push_back({hypothesis.normal(), axis_u, hypothesis.normal().cross(axis_u),
+                       hypothesis.fit().mean});
   }
 }
 
@@ -96,25 +65,36 @@ bool ReferencePlanes::fits_across(const Sight& sight, const Eigen::Vector3d& nor
   return tilt(normal, across) < gate;
 }
 
-std::vector<ReferencePlanes::Match> ReferencePlanes::matches_of(const Sight& sight,
+std::optional<ReferencePlanes::Match> ReferencePlanes::match_of(const Sight& sight,
                                                                 const PoseBelief& belief) const {
-  std::vector<Match> matches;
+  std::optional<Match> best, second;
   const Pose& T = belief.T_world_base;
   for (const std::uint32_t candidate : sight.planes) {
-    const OrientedPlane& plane = planes_[candidate];
+    const SightedPlane& plane = planes_[candidate];
     if (!fits_across(sight, plane.normal, belief)) continue;
-    const Eigen::Vector2d residual(plane.normal.dot(T * sight.centroid) + plane.d_m,
-                                   plane.normal.dot(T.linear() * sight.along));
-    const Jacobian jacobian = jacobian_of(sight, plane.normal, T);
-    Eigen::Matrix2d covariance = jacobian * belief.covariance * jacobian.transpose();
-    covariance.diagonal() += Eigen::Vector2d(sight.distance_variance, sight.tilt_variance);
+    const Eigen::Vector2d residual = residual_of(sight, plane, T);
+    const Eigen::Matrix<double, 2, 6> derivative = by_pose(sight, plane.normal, T);
+    Eigen::Matrix2d covariance = derivative * belief.covariance * derivative.transpose();
+    covariance.diagonal() += sight.variances;
     const double square_sigmas = residual.dot(covariance.inverse() * residual);
-    if (square_sigmas < gate_square_sigmas) matches.push_back({candidate, square_sigmas, residual});
+    if (square_sigmas > gate_square_sigmas) continue;
+    Match match{candidate, square_sigmas, residual};
+    if (!best || square_sigmas < best->square_sigmas) std::swap(best, second), best = match;
+    else if (!second || square_sigmas < second->square_sigmas) second = match;
   }
-  std::sort(matches.begin(), matches.end(), [](const Match& a, const Match& b) {
-    return a.square_sigmas < b.square_sigmas;
-  });
-  return matches;
+  const bool is_ambiguous =
+      second && second->square_sigmas < best->square_sigmas + ambiguous_square_sigmas &&
+      square(second->residual[0] - best->residual[0]) > 4.0 * sight.variances[0];
+  return is_ambiguous ? std::nullopt : best;
+}
+
+std::vector<PlaneSighting> ReferencePlanes::sightings(const std::vector<Sight>& sights,
+                                                      const PoseBelief& belief) const {
+  std::vector<PlaneSighting> result;
+  for (const Sight& sight : sights) {
+    if (const auto match = match_of(sight, belief)) result.push_back({&sight, match->plane});
+  }
+  return result;
 }
 
 Observation ReferencePlanes::linearised(const std::vector<Sight>& sights,
@@ -122,22 +102,14 @@ Observation ReferencePlanes::linearised(const std::vector<Sight>& sights,
   Observation result;
   result.T_world_base = belief.T_world_base;
   for (const Sight& sight : sights) {
-    const std::vector<Match> matches = matches_of(sight, belief);
-    if (matches.empty()) continue;
-    const Match& best = matches.front();
-    const bool is_ambiguous =
-        matches.size() > 1 &&
-        matches[1].square_sigmas < best.square_sigmas + ambiguous_square_sigmas &&
-        square(matches[1].residual[0] - best.residual[0]) > 4.0 * sight.distance_variance;
-    if (is_ambiguous) continue;
-    // Of Cauchy: what is four square sigmas out counts for half.
-    const double weight = 1.0 / (1.0 + best.square_sigmas / 4.0);
-    const Eigen::Vector2d information = weight * Eigen::Vector2d(1.0 / sight.distance_variance,
-                                                                 1.0 / sight.tilt_variance);
-    const Jacobian jacobian =
-        jacobian_of(sight, planes_[best.plane].normal, belief.T_world_base);
-    result.information += jacobian.transpose() * information.asDiagonal() * jacobian;
-    result.gradient -= jacobian.transpose() * information.asDiagonal() * best.residual;
+    const auto match = match_of(sight, belief);
+    if (!match) continue;
+    const Eigen::Vector2d weights =
+        robust_weight(match->square_sigmas) * sight.variances.cwiseInverse();
+    const Eigen::Matrix<double, 2, 6> derivative =
+        by_pose(sight, planes_[match->plane].normal, belief.T_world_base);
+    result.information += derivative.transpose() * weights.asDiagonal() * derivative;
+    result.gradient -= derivative.transpose() * weights.asDiagonal() * match->residual;
   }
   return result;
 }

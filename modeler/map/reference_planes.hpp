@@ -3,30 +3,16 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 #include "modeler/map/evidence.hpp"
 #include "modeler/map/plane_map.hpp"
+#include "modeler/map/plane_adjustment.hpp"
 #include "modeler/map/pose_belief.hpp"
+#include "modeler/map/sight.hpp"
 
 namespace ribbon_mapper {
-
-/// What a ribbon measures of a plane's place: the distance of its centroid from it, and the tilt of
-/// its direction against it. (How it lies across its direction depends on the odometry from line to
-/// line and is only used to tell planes apart.) In the frame of its acquisition pose.
-struct Sight {
-  Sight(const Ribbon& ribbon, double range_sigma_m, const Vector6& motion_variances);
-
-  Eigen::Vector3d centroid, normal, along, across;
-  double sigma_across_rad;
-  /// Of distance [m2] and tilt [rad2] from the noise of ranges and of the motion within a line.
-  double distance_variance, tilt_variance;
-  std::vector<std::uint32_t> planes;  ///< that it may lie on
-};
-
-/// d(distance) and d(tilt) by an error of the pose, see PoseBelief.
-using Jacobian = Eigen::Matrix<double, 2, 6>;
-Jacobian jacobian_of(const Sight& sight, const Eigen::Vector3d& normal, const Pose& T_world_base);
 
 /// Planes that ribbons are registered against.
 class ReferencePlanes {
@@ -41,6 +27,12 @@ class ReferencePlanes {
   /// What a line's ribbons say about its pose, given where it is believed to be without them.
   Observation observe(const std::vector<Sight>& sights, const PoseBelief& without_them) const;
 
+  /// The planes that a line's ribbons are seen on from there.
+  std::vector<PlaneSighting> sightings(const std::vector<Sight>& sights,
+                                       const PoseBelief& belief) const;
+
+  const std::vector<SightedPlane>& planes() const { return planes_; }
+
  private:
   struct Match {
     std::uint32_t plane;
@@ -50,15 +42,11 @@ class ReferencePlanes {
   void enter(std::uint32_t slot, const Hypothesis& hypothesis, const Evidence& evidence);
   bool fits_across(const Sight& sight, const Eigen::Vector3d& normal,
                    const PoseBelief& belief) const;
-  std::vector<Match> matches_of(const Sight& sight, const PoseBelief& belief) const;
+  std::optional<Match> match_of(const Sight& sight, const PoseBelief& belief) const;
   Observation linearised(const std::vector<Sight>& sights, const PoseBelief& belief) const;
 
-  struct OrientedPlane {
-    Eigen::Vector3d normal;
-    double d_m;
-  };
   double angle_gate_rad_;
-  std::vector<OrientedPlane> planes_;
+  std::vector<SightedPlane> planes_;
   VoxelIndex index_;
   std::vector<VoxelKey> voxels_;  // scratch
 };

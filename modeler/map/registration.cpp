@@ -7,6 +7,7 @@
 
 #include "modeler/map/bridge.hpp"
 #include "modeler/map/odometry_noise.hpp"
+#include "modeler/map/plane_adjustment.hpp"
 #include "modeler/map/reference_planes.hpp"
 #include "modeler/map/spans.hpp"
 
@@ -15,6 +16,7 @@ namespace {
 
 constexpr int rounds = 3;           // of planes and poses in turn
 constexpr int sweeps_of_round = 2;  // of a bridge
+constexpr int adjustments_of_round = 2;
 constexpr std::uint32_t lines_of_ribbon = 3;
 // A line is placed right if its ribbons are so within a quarter of the gate, which is two sigma.
 constexpr double placed_part_of_gate = 0.25;
@@ -29,11 +31,14 @@ class Registration {
 
  private:
   void take_spans(std::vector<Span> spans);
-  void view_ribbons(const Span& span);
+  void view_ribbons();
   Bridge bridge_over(const Span& span) const;
   bool is_to_be_registered(const Span& span) const;
   void start(const Span& span);
-  void register_span(const Span& span, const Evidence& evidence, ReferencePlanes& planes);
+  LineChain register_span(const Span& span, const ReferencePlanes& planes);
+  std::vector<FixedLine> fixed_lines(const ReferencePlanes& planes) const;
+  void find_planes_near(const Evidence& evidence, ReferencePlanes& planes);
+  void take_over(const LineChain& chain, const Span& span);
   void place(std::uint32_t line, const PoseBelief& belief);
   double sigma_m(std::uint32_t line, const PoseBelief& belief) const;
 
@@ -42,11 +47,11 @@ class Registration {
   double range_sigma_m_;
   OdometryNoise noise_;
   std::vector<Span> spans_;                 // to be registered
-  std::vector<std::size_t> first_ribbon_;   // by line, and one behind the last
   std::vector<std::vector<Sight>> sights_;  // by line
   std::vector<StampedPose> poses_;          // by line
   std::vector<StampedPose> next_poses_;     // of the round to come
   std::vector<char> is_placed_;             // by line
+  std::vector<char> is_fixed_;              // by line: not to be registered
   Pose T_map_world_ = Pose::Identity();     // of the round
 };
 
@@ -82,14 +87,12 @@ Registration::Registration(const CorrectedLines& lines, const PlaneMapConfig& co
       poses_(lines.poses),
       next_poses_(lines.poses),
       is_placed_(lines.poses.size(), 1),
+      is_fixed_(lines.poses.size(), 1),
       T_map_world_(lines.poses.front().T_map_base) {
   std::vector<Span> spans = spans_between(lines.recorded, lines.corrected);
   if (most_lines_of_bridge(spans) <= lines_of_ribbon) return;
   noise_ = fitted_to(odometry_checks(spans));
-  first_ribbon_.assign(poses_.size() + 1, 0);
-  for (const Ribbon& ribbon : lines.ribbons) ++first_ribbon_[ribbon.pose + 1];
-  for (std::size_t i = 0; i < poses_.size(); ++i) first_ribbon_[i + 1] += first_ribbon_[i];
-  sights_.resize(poses_.size());
+  view_ribbons();
   take_spans(std::move(spans));
 }
 
@@ -100,21 +103,21 @@ void Registration::take_spans(std::vector<Span> spans) {
       std::fill(is_placed_.begin() + span.first_line, is_placed_.begin() + span.end_line, 0);
     }
     if (span.lines() <= lines_of_ribbon || span.lines() > most_lines) continue;
-    view_ribbons(span);
     if (!is_to_be_registered(span)) continue;
     start(span);
     spans_.push_back(std::move(span));
   }
 }
 
-void Registration::view_ribbons(const Span& span) {
-  const std::vector<Pose> steps = odometry_steps(span);
-  for (std::uint32_t line = span.first_line; line < span.end_line; ++line) {
+void Registration::view_ribbons() {
+  sights_.resize(poses_.size());
+  for (const Ribbon& ribbon : lines_.ribbons) {
+    const std::size_t next = std::min<std::size_t>(ribbon.pose + 1, poses_.size() - 1);
+    const Pose step = lines_.recorded[next - 1].T_odom_base.inverse(Eigen::Isometry) *
+                      lines_.recorded[next].T_odom_base;
     // On average a beam is a quarter of the time between lines from the middle of its line.
-    const Vector6 motion = 0.25 * noise_.variances(steps[line - span.first_line + 1]);
-    for (std::size_t i = first_ribbon_[line]; i < first_ribbon_[line + 1]; ++i) {
-      sights_[line].emplace_back(lines_.ribbons[i], range_sigma_m_, motion);
-    }
+    const Vector6 motion = 0.25 * noise_.variances(step);
+    sights_[ribbon.pose].emplace_back(ribbon, range_sigma_m_, motion);
   }
 }
 
@@ -128,8 +131,8 @@ double Registration::sigma_m(std::uint32_t line, const PoseBelief& belief) const
   double square_sum = 0.0;
   for (const Sight& sight : sights_[line]) {
     const Pose& T = belief.T_world_base;
-    const Vector6 by_pose = jacobian_of(sight, T.linear() * sight.normal, T).row(0).transpose();
-    square_sum += by_pose.dot(belief.covariance * by_pose);
+    const Vector6 derivative = by_pose(sight, T.linear() * sight.normal, T).row(0).transpose();
+    square_sum += derivative.dot(belief.covariance * derivative);
   }
   return std::sqrt(square_sum / static_cast<double>(sights_[line].size()));
 }
@@ -151,24 +154,43 @@ bool Registration::is_to_be_registered(const Span& span) const {
 }
 
 void Registration::start(const Span& span) {
+  std::fill(is_fixed_.begin() + span.first_line, is_fixed_.begin() + span.end_line, 0);
   const Bridge bridge = bridge_over(span);
   for (std::uint32_t i = 0; i < span.lines(); ++i) place(span.first_line + i, bridge.without(i));
 }
 
-void Registration::register_span(const Span& span, const Evidence& evidence,
-                                 ReferencePlanes& planes) {
-  for (std::uint32_t line = span.first_line; line < span.end_line; ++line) {
-    for (std::size_t i = 0; i < sights_[line].size(); ++i) {
-      planes.find_near(evidence.ribbon(first_ribbon_[line] + i), sights_[line][i]);
-    }
-  }
+LineChain Registration::register_span(const Span& span, const ReferencePlanes& planes) {
   Bridge bridge = bridge_over(span);
   const auto observe = [&](std::size_t line, const PoseBelief& without_it) {
     return planes.observe(sights_[span.first_line + line], without_it);
   };
   for (int i = 0; i < sweeps_of_round; ++i) bridge.sweep(observe);
+  LineChain chain{in_world(T_map_world_, span.T_map_first), in_world(T_map_world_, span.T_map_last),
+                  odometry_steps(span), {}, {}};
+  for (const Pose& step : chain.steps) chain.variances.push_back(noise_.variances(step));
   for (std::uint32_t i = 0; i < span.lines(); ++i) {
-    place(span.first_line + i, updated(bridge.without(i), observe(i, bridge.without(i))));
+    const PoseBelief without = bridge.without(i), belief = updated(without, observe(i, without));
+    place(span.first_line + i, belief);
+    chain.lines.push_back(
+        {belief.T_world_base, planes.sightings(sights_[span.first_line + i], belief)});
+  }
+  return chain;
+}
+
+std::vector<FixedLine> Registration::fixed_lines(const ReferencePlanes& planes) const {
+  std::vector<FixedLine> fixed;
+  for (std::size_t line = 0; line < poses_.size(); ++line) {
+    if (!is_fixed_[line] || !is_placed_[line]) continue;
+    const PoseBelief belief{*in_world(T_map_world_, poses_[line].T_map_base), Matrix6::Zero()};
+    fixed.push_back({belief.T_world_base, planes.sightings(sights_[line], belief)});
+  }
+  return fixed;
+}
+
+void Registration::find_planes_near(const Evidence& evidence, ReferencePlanes& planes) {
+  std::size_t ribbon = 0;
+  for (std::vector<Sight>& sights : sights_) {
+    for (Sight& sight : sights) planes.find_near(evidence.ribbon(ribbon++), sight);
   }
 }
 
@@ -178,10 +200,22 @@ void Registration::evaluate_planes_and_poses() {
     poses_ = next_poses_;
     const Evidence evidence(lines_.ribbons, no_strays, poses_);
     T_map_world_ = evidence.T_map_world();
-    ReferencePlanes planes(evidence, is_placed_, config_);
-    for (const Span& span : spans_) register_span(span, evidence, planes);
+    ReferencePlanes reference(evidence, is_placed_, config_);
+    find_planes_near(evidence, reference);
+    std::vector<LineChain> chains;
+    for (const Span& span : spans_) chains.push_back(register_span(span, reference));
+    const std::vector<FixedLine> fixed = fixed_lines(reference);
+    std::vector<SightedPlane> planes = reference.planes();
+    for (int i = 0; i < adjustments_of_round; ++i) adjust(fixed, chains, planes);
+    for (std::size_t i = 0; i < spans_.size(); ++i) take_over(chains[i], spans_[i]);
   }
   poses_ = next_poses_;
+}
+
+void Registration::take_over(const LineChain& chain, const Span& span) {
+  for (std::uint32_t i = 0; i < span.lines(); ++i) {
+    next_poses_[span.first_line + i].T_map_base = T_map_world_ * chain.lines[i].T_world_base;
+  }
 }
 
 }  // namespace
