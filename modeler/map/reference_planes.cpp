@@ -24,6 +24,7 @@ double tilt(const Eigen::Vector3d& normal, const Eigen::Vector3d& direction) {
 }  // namespace
 
 ReferencePlanes::ReferencePlanes(const Evidence& evidence, const std::vector<char>& is_placed,
+                                 const std::vector<std::int32_t>& witness,
                                  const PlaneMapConfig& config)
     : angle_gate_rad_(config.slam.angle_deg * degree), index_(config.bridged_gap_m) {
   PlaneMap map(config, config.corrected);
@@ -33,11 +34,24 @@ ReferencePlanes::ReferencePlanes(const Evidence& evidence, const std::vector<cha
   }
   for (const Hypothesis& hypothesis : map.merged_hypotheses()) {
     if (hypothesis.members().size() < static_cast<std::size_t>(config.confirmed_ribbons)) continue;
+    if (!is_witnessed(hypothesis, evidence, witness)) continue;
     enter(static_cast<std::uint32_t>(planes_.size()), hypothesis, evidence);
     const Eigen::Vector3d axis_u = hypothesis.fit().axes.col(2);
     planes_.push_back({hypothesis.normal(), axis_u, hypothesis.normal().cross(axis_u),
                        hypothesis.fit().mean});
   }
+}
+
+bool ReferencePlanes::is_witnessed(const Hypothesis& hypothesis, const Evidence& evidence,
+                                   const std::vector<std::int32_t>& witness) {
+  const auto witness_of = [&](const Member& member) {
+    return witness[evidence.ribbon(member.ribbon).ribbon->pose];
+  };
+  const std::int32_t first = witness_of(hypothesis.members().front());
+  return std::any_of(hypothesis.members().begin(), hypothesis.members().end(),
+                     [&](const Member& member) {
+                       return witness_of(member) == kSure || witness_of(member) != first;
+                     });
 }
 
 void ReferencePlanes::enter(std::uint32_t slot, const Hypothesis& hypothesis,

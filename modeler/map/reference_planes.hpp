@@ -17,9 +17,12 @@ namespace ribbon_mapper {
 /// Planes that ribbons are registered against.
 class ReferencePlanes {
  public:
-  /// Of the ribbons whose line is `is_placed` (by acquisition pose), those confirmed.
+  /// Of the ribbons whose line `is_placed`, the confirmed planes that a sure witness or two
+  /// different ones have seen: what the lines of one bridge alone say may be that bridge's error.
+  /// `witness`: of each line kSure, or the number of its bridge.
   ReferencePlanes(const Evidence& evidence, const std::vector<char>& is_placed,
-                  const PlaneMapConfig& config);
+                  const std::vector<std::int32_t>& witness, const PlaneMapConfig& config);
+  static constexpr std::int32_t kSure = -1;
 
   /// Sets the planes that are near a ribbon.
   void find_near(const PosedRibbon& ribbon, Sight& sight);
@@ -39,6 +42,8 @@ class ReferencePlanes {
     double square_sigmas;  ///< of the innovation
     Eigen::Vector2d residual;
   };
+  static bool is_witnessed(const Hypothesis& hypothesis, const Evidence& evidence,
+                           const std::vector<std::int32_t>& witness);
   void enter(std::uint32_t slot, const Hypothesis& hypothesis, const Evidence& evidence);
   bool fits_across(const Sight& sight, const Eigen::Vector3d& normal,
                    const PoseBelief& belief) const;

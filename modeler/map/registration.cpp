@@ -51,6 +51,7 @@ class Registration {
   std::vector<StampedPose> poses_;          // by line
   std::vector<StampedPose> next_poses_;     // of the round to come
   std::vector<char> is_placed_;             // by line
+  std::vector<std::int32_t> witness_;       // by line, see ReferencePlanes
   std::vector<char> is_fixed_;              // by line: not to be registered
   Pose T_map_world_ = Pose::Identity();     // of the round
 };
@@ -87,6 +88,7 @@ Registration::Registration(const CorrectedLines& lines, const PlaneMapConfig& co
       poses_(lines.poses),
       next_poses_(lines.poses),
       is_placed_(lines.poses.size(), 1),
+      witness_(lines.poses.size(), ReferencePlanes::kSure),
       is_fixed_(lines.poses.size(), 1),
       T_map_world_(lines.poses.front().T_map_base) {
   std::vector<Span> spans = spans_between(lines.recorded, lines.corrected);
@@ -105,6 +107,9 @@ void Registration::take_spans(std::vector<Span> spans) {
     if (span.lines() <= lines_of_ribbon || span.lines() > most_lines) continue;
     if (!is_to_be_registered(span)) continue;
     start(span);
+    for (std::uint32_t line = span.first_line; line < span.end_line; ++line) {
+      if (!is_placed_[line]) witness_[line] = static_cast<std::int32_t>(spans_.size());
+    }
     spans_.push_back(std::move(span));
   }
 }
@@ -200,7 +205,7 @@ void Registration::evaluate_planes_and_poses() {
     poses_ = next_poses_;
     const Evidence evidence(lines_.ribbons, no_strays, poses_);
     T_map_world_ = evidence.T_map_world();
-    ReferencePlanes reference(evidence, is_placed_, config_);
+    ReferencePlanes reference(evidence, is_placed_, witness_, config_);
     find_planes_near(evidence, reference);
     std::vector<LineChain> chains;
     for (const Span& span : spans_) chains.push_back(register_span(span, reference));

@@ -19,12 +19,23 @@ double variance_along(const Eigen::Vector3d& normal, const Eigen::Vector3d& poin
          point.cross(normal).cwiseAbs2().dot(variances.tail<3>());
 }
 
+/// Direction of the straight line through the points of a ribbon, by least squares. Its chord hangs
+/// on two points alone, and these are where a beam may have met the edge.
+Eigen::Vector3d fitted_direction(const PosedRibbon& ribbon) {
+  const Eigen::Matrix3d covariance = ribbon.moments.covariance();
+  const Eigen::Vector3d &chord = ribbon.along, &normal = ribbon.normal;
+  const Eigen::Vector3d upright = (normal - normal.dot(chord) * chord).normalized();
+  const double slope = upright.dot(covariance * chord) / chord.dot(covariance * chord);
+  return (chord + slope * upright).normalized();
+}
+
 }  // namespace
 
 Sight::Sight(const Ribbon& ribbon, double range_sigma_m, const Vector6& motion_variances)
     : sigma_across_rad(ribbon.sigma_across_rad) {
   const PosedRibbon here(ribbon, Pose::Identity());
-  centroid = here.centroid, normal = here.normal, along = here.along, across = here.across;
+  centroid = here.centroid, normal = here.normal, across = here.across;
+  along = fitted_direction(here);
   const double range_variance =
       square(range_sigma_m) * (1.0 / here.moments.weight() + square(shared_part));
   variances[0] = range_variance + variance_along(normal, centroid, motion_variances);
