@@ -5,6 +5,7 @@
 #include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
+#include <map>
 
 namespace ribbon_mapper {
 namespace {
@@ -33,8 +34,8 @@ ReferencePlanes::ReferencePlanes(const Evidence& evidence, const std::vector<cha
     if (is_placed[ribbon.ribbon->pose]) map.add(ribbon, i);
   }
   for (const Hypothesis& hypothesis : map.merged_hypotheses()) {
-    if (hypothesis.members().size() < static_cast<std::size_t>(config.confirmed_ribbons)) continue;
-    if (!is_witnessed(hypothesis, evidence, witness)) continue;
+    const auto least_ribbons = static_cast<std::size_t>(config.confirmed_ribbons);
+    if (!is_witnessed(hypothesis, evidence, witness, least_ribbons)) continue;
     enter(static_cast<std::uint32_t>(planes_.size()), hypothesis, evidence);
     const Eigen::Vector3d axis_u = hypothesis.fit().axes.col(2);
     planes_.push_back({hypothesis.normal(), axis_u, hypothesis.normal().cross(axis_u),
@@ -43,15 +44,17 @@ ReferencePlanes::ReferencePlanes(const Evidence& evidence, const std::vector<cha
 }
 
 bool ReferencePlanes::is_witnessed(const Hypothesis& hypothesis, const Evidence& evidence,
-                                   const std::vector<std::int32_t>& witness) {
-  const auto witness_of = [&](const Member& member) {
-    return witness[evidence.ribbon(member.ribbon).ribbon->pose];
-  };
-  const std::int32_t first = witness_of(hypothesis.members().front());
-  return std::any_of(hypothesis.members().begin(), hypothesis.members().end(),
-                     [&](const Member& member) {
-                       return witness_of(member) == kSure || witness_of(member) != first;
-                     });
+                                   const std::vector<std::int32_t>& witness,
+                                   std::size_t least_ribbons) {
+  std::map<std::int32_t, std::size_t> ribbons;
+  for (const Member& member : hypothesis.members()) {
+    ++ribbons[witness[evidence.ribbon(member.ribbon).ribbon->pose]];
+  }
+  std::size_t most = 0;
+  for (const auto& [of, count] : ribbons) {
+    if (of != kSure) most = std::max(most, count);
+  }
+  return hypothesis.members().size() >= most + least_ribbons;
 }
 
 void ReferencePlanes::enter(std::uint32_t slot, const Hypothesis& hypothesis,

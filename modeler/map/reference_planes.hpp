@@ -43,7 +43,7 @@ class ReferencePlanes {
     Eigen::Vector2d residual;
   };
   static bool is_witnessed(const Hypothesis& hypothesis, const Evidence& evidence,
-                           const std::vector<std::int32_t>& witness);
+                           const std::vector<std::int32_t>& witness, std::size_t least_ribbons);
   void enter(std::uint32_t slot, const Hypothesis& hypothesis, const Evidence& evidence);
   bool fits_across(const Sight& sight, const Eigen::Vector3d& normal,
                    const PoseBelief& belief) const;

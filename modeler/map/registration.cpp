@@ -150,10 +150,8 @@ void Registration::place(std::uint32_t line, const PoseBelief& belief) {
 bool Registration::is_to_be_registered(const Span& span) const {
   const Bridge bridge = bridge_over(span);
   for (std::uint32_t i = 0; i < span.lines(); ++i) {
-    if (sigma_m(span.first_line + i, bridge.without(i)) >
-        placed_part_of_gate * config_.corrected.distance_m) {
-      return true;
-    }
+    const double sigma = sigma_m(span.first_line + i, bridge.without(i));
+    if (sigma > shared_part_of_sigma * range_sigma_m_) return true;
   }
   return false;
 }

@@ -7,9 +7,6 @@
 namespace ribbon_mapper {
 namespace {
 
-// Part of a range's sigma that the points of a ribbon share (bias of a surface, of an angle).
-constexpr double shared_part = 0.25;
-
 double square(double x) { return x * x; }
 
 /// Variance along the normal of a point that is moved by a motion of the base, in its frame.
@@ -37,7 +34,7 @@ Sight::Sight(const Ribbon& ribbon, double range_sigma_m, const Vector6& motion_v
   centroid = here.centroid, normal = here.normal, across = here.across;
   along = fitted_direction(here);
   const double range_variance =
-      square(range_sigma_m) * (1.0 / here.moments.weight() + square(shared_part));
+      square(range_sigma_m) * (1.0 / here.moments.weight() + square(shared_part_of_sigma));
   variances[0] = range_variance + variance_along(normal, centroid, motion_variances);
   // Of a straight line through points spread evenly over its length.
   variances[1] = 12.0 * range_variance / square(ribbon.length_m) +

@@ -11,6 +11,10 @@
 
 namespace ribbon_mapper {
 
+/// Part of a range's sigma that the points of a ribbon share (bias of a surface, of an angle). Poses
+/// that are known better than that have nothing to learn from ribbons.
+constexpr double shared_part_of_sigma = 0.25;
+
 /// A plane that ribbons are registered against. Its error: rotations that tip its normal towards
 /// axis u and axis v [rad], and the offset at its centroid along the normal [m].
 struct SightedPlane {
