@@ -22,8 +22,8 @@ Bridge::Bridge(const std::vector<Pose>& steps, const OdometryNoise& noise,
     variances_.push_back(noise.variances(step));
   }
   const Pose origin = Pose::Identity();
-  first_end_ = end_at(
-      first_end, second_end.value_or(origin) * T_first_second.inverse(Eigen::Isometry));
+  first_end_ =
+      end_at(first_end, second_end.value_or(origin) * T_first_second.inverse(Eigen::Isometry));
   second_end_ = end_at(second_end, first_end.value_or(origin) * T_first_second);
   forth(nullptr);
   back(nullptr);

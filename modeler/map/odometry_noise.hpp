@@ -35,8 +35,8 @@ struct OdometryCheck {
 };
 
 /// The noise with scales such that the errors that the odometry shows are what it expects. An
-/// odometry without an error (or one that never leaves the plane) keeps a hundredth: that of a floor
-/// level to 0.1 mrad. `checks` must not be empty.
+/// odometry without an error (or one that never leaves the plane) keeps a hundredth: that of a
+/// floor level to 0.1 mrad. `checks` must not be empty.
 OdometryNoise fitted_to(const std::vector<OdometryCheck>& checks);
 
 }  // namespace ribbon_mapper

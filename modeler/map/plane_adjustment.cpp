@@ -43,7 +43,8 @@ void add_to_planes(const FixedLine& line, const Planes& planes, PlaneSystem& sys
   for (const PlaneSighting& sighting : line.sightings) {
     const Equation e(sighting, planes, line.T_world_base);
     const auto at = 3 * sighting.plane;
-    system.information.block<3, 3>(at, at) += e.plane.transpose() * e.weights.asDiagonal() * e.plane;
+    system.information.block<3, 3>(at, at) +=
+        e.plane.transpose() * e.weights.asDiagonal() * e.plane;
     system.gradient.segment<3>(at) -= e.plane.transpose() * e.weights.asDiagonal() * e.residual;
   }
 }
@@ -76,8 +77,7 @@ class ChainSystem {
 };
 
 ChainSystem::ChainSystem(const LineChain& chain, const Planes& planes)
-    : diagonal_(chain.lines.size(), Matrix6::Zero()),
-      upper_(chain.lines.size(), Matrix6::Zero()) {
+    : diagonal_(chain.lines.size(), Matrix6::Zero()), upper_(chain.lines.size(), Matrix6::Zero()) {
   for (const FixedLine& line : chain.lines) {
     for (const PlaneSighting& sighting : line.sightings) seen_.push_back(sighting.plane);
   }
@@ -95,8 +95,7 @@ void ChainSystem::add_step(const LineChain& chain, std::size_t step) {
   const Pose& from = is_first ? *chain.first_end : chain.lines[step - 1].T_world_base;
   const Pose& to = is_last ? *chain.last_end : chain.lines[step].T_world_base;
   const Vector6 residual = error_between(from * chain.steps[step], to);
-  const Matrix6 information =
-      in_world(chain.variances[step].cwiseInverse(), from.linear());
+  const Matrix6 information = in_world(chain.variances[step].cwiseInverse(), from.linear());
   const Matrix6 by_from = -carry(from.linear() * chain.steps[step].translation());
   if (!is_first) {
     diagonal_[step - 1] += by_from.transpose() * information * by_from;

@@ -28,9 +28,9 @@ struct FixedLine {
 /// poses at the ends (at least one).
 struct LineChain {
   std::optional<Pose> first_end, last_end;
-  std::vector<Pose> steps;          ///< first end to first line, .., last line to last end
-  std::vector<Vector6> variances;   ///< of the steps, in the frame of the base
-  std::vector<FixedLine> lines;     ///< poses as they are believed to be so far
+  std::vector<Pose> steps;         ///< first end to first line, .., last line to last end
+  std::vector<Vector6> variances;  ///< of the steps, in the frame of the base
+  std::vector<FixedLine> lines;    ///< poses as they are believed to be so far
 };
 
 /// Planes and the poses of the lines that see them, together: one step of Gauss and Newton on

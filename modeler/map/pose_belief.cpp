@@ -23,8 +23,8 @@ Pose moved(const Pose& T_world_base, const Vector6& error) {
   const double angle = error.tail<3>().norm();
   if (angle > 0.0) {
     const Eigen::AngleAxisd turn(angle, error.tail<3>() / angle);
-    result.linear() = (turn * Eigen::Quaterniond(T_world_base.linear())).normalized()
-                          .toRotationMatrix();
+    result.linear() =
+        (turn * Eigen::Quaterniond(T_world_base.linear())).normalized().toRotationMatrix();
   }
   result.translation() += error.head<3>();
   return result;
@@ -68,11 +68,9 @@ PoseBelief before_step(const PoseBelief& to, const Pose& step, const Vector6& va
 }
 
 PoseBelief fused(const PoseBelief& a, const PoseBelief& b) {
-  const Matrix6 gain =
-      (a.covariance + b.covariance).ldlt().solve(a.covariance).transpose();
+  const Matrix6 gain = (a.covariance + b.covariance).ldlt().solve(a.covariance).transpose();
   const Vector6 error = gain * error_between(a.T_world_base, b.T_world_base);
-  return {moved(a.T_world_base, error),
-          symmetric(a.covariance - gain * a.covariance)};
+  return {moved(a.T_world_base, error), symmetric(a.covariance - gain * a.covariance)};
 }
 
 PoseBelief updated(const PoseBelief& belief, const Observation& observation) {

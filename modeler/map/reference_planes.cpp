@@ -16,6 +16,7 @@ constexpr double degree = M_PI / 180.0;
 constexpr double gate_square_sigmas = 11.8;
 // Of two planes the likelier one must be e^2 times as likely, unless they lie within the noise.
 constexpr double ambiguous_square_sigmas = 4.0;
+
 double square(double x) { return x * x; }
 
 double tilt(const Eigen::Vector3d& normal, const Eigen::Vector3d& direction) {
@@ -38,8 +39,8 @@ ReferencePlanes::ReferencePlanes(const Evidence& evidence, const std::vector<cha
     if (!is_witnessed(hypothesis, evidence, witness, least_ribbons)) continue;
     enter(static_cast<std::uint32_t>(planes_.size()), hypothesis, evidence);
     const Eigen::Vector3d axis_u = hypothesis.fit().axes.col(2);
-    planes_.push_back({hypothesis.normal(), axis_u, hypothesis.normal().cross(axis_u),
-                       hypothesis.fit().mean});
+    planes_.push_back(
+        {hypothesis.normal(), axis_u, hypothesis.normal().cross(axis_u), hypothesis.fit().mean});
   }
 }
 
@@ -76,8 +77,8 @@ bool ReferencePlanes::fits_across(const Sight& sight, const Eigen::Vector3d& nor
   if (normal.dot(T.linear() * sight.normal) < least_cosine_of_side) return false;
   const Eigen::Vector3d across = T.linear() * sight.across;
   const Eigen::Vector3d turn = across.cross(normal);
-  const double sigma =
-      std::sqrt(turn.dot(belief.covariance.bottomRightCorner<3, 3>() * turn));
+  const double variance = turn.dot(belief.covariance.bottomRightCorner<3, 3>() * turn);
+  const double sigma = std::sqrt(std::max(0.0, variance));
   const double gate = angle_gate_rad_ + 3.0 * degree + 2.0 * (sigma + sight.sigma_across_rad);
   return tilt(normal, across) < gate;
 }
@@ -96,8 +97,10 @@ std::optional<ReferencePlanes::Match> ReferencePlanes::match_of(const Sight& sig
     const double square_sigmas = residual.dot(covariance.inverse() * residual);
     if (square_sigmas > gate_square_sigmas) continue;
     Match match{candidate, square_sigmas, residual};
-    if (!best || square_sigmas < best->square_sigmas) std::swap(best, second), best = match;
-    else if (!second || square_sigmas < second->square_sigmas) second = match;
+    if (!best || square_sigmas < best->square_sigmas)
+      std::swap(best, second), best = match;
+    else if (!second || square_sigmas < second->square_sigmas)
+      second = match;
   }
   const bool is_ambiguous =
       second && second->square_sigmas < best->square_sigmas + ambiguous_square_sigmas &&

@@ -7,8 +7,8 @@
 #include <vector>
 
 #include "modeler/map/evidence.hpp"
-#include "modeler/map/plane_map.hpp"
 #include "modeler/map/plane_adjustment.hpp"
+#include "modeler/map/plane_map.hpp"
 #include "modeler/map/pose_belief.hpp"
 #include "modeler/map/sight.hpp"
 
@@ -17,8 +17,8 @@ namespace ribbon_mapper {
 /// Planes that ribbons are registered against.
 class ReferencePlanes {
  public:
-  /// Of the ribbons whose line `is_placed`, the confirmed planes that a sure witness or two
-  /// different ones have seen: what the lines of one bridge alone say may be that bridge's error.
+  /// Of the ribbons whose line `is_placed`, the confirmed planes, not counting those ribbons that
+  /// one bridge has given: what its lines alone have seen may be that bridge's error.
   /// `witness`: of each line kSure, or the number of its bridge.
   ReferencePlanes(const Evidence& evidence, const std::vector<char>& is_placed,
                   const std::vector<std::int32_t>& witness, const PlaneMapConfig& config);

@@ -18,8 +18,9 @@ constexpr int rounds = 3;           // of planes and poses in turn
 constexpr int sweeps_of_round = 2;  // of a bridge
 constexpr int adjustments_of_round = 2;
 constexpr std::uint32_t lines_of_ribbon = 3;
-// A line is placed right if its ribbons are so within a quarter of the gate, which is two sigma.
-constexpr double placed_part_of_gate = 0.25;
+// A line is placed right if its ribbons are so within this part of the gate: at first its sigma
+// (the gate is two of these), then half of it.
+constexpr double placed_at_first = 0.5, placed_in_the_end = 0.25;
 
 class Registration {
  public:
@@ -39,7 +40,7 @@ class Registration {
   std::vector<FixedLine> fixed_lines(const ReferencePlanes& planes) const;
   void find_planes_near(const Evidence& evidence, ReferencePlanes& planes);
   void take_over(const LineChain& chain, const Span& span);
-  void place(std::uint32_t line, const PoseBelief& belief);
+  void place(std::uint32_t line, const PoseBelief& belief, double part_of_gate);
   double sigma_m(std::uint32_t line, const PoseBelief& belief) const;
 
   const CorrectedLines& lines_;
@@ -50,9 +51,9 @@ class Registration {
   std::vector<std::vector<Sight>> sights_;  // by line
   std::vector<StampedPose> poses_;          // by line
   std::vector<StampedPose> next_poses_;     // of the round to come
-  std::vector<char> is_placed_;             // by line
+  std::vector<char> is_placed_;             // by line: right
   std::vector<std::int32_t> witness_;       // by line, see ReferencePlanes
-  std::vector<char> is_fixed_;              // by line: not to be registered
+  std::vector<char> is_fixed_;              // by line: not in spans_
   Pose T_map_world_ = Pose::Identity();     // of the round
 };
 
@@ -61,8 +62,8 @@ std::vector<OdometryCheck> odometry_checks(const std::vector<Span>& spans) {
   std::vector<OdometryCheck> checks;
   for (const Span& span : spans) {
     if (span.has_loose_end()) continue;
-    checks.push_back({odometry_steps(span),
-                      span.T_map_first->inverse(Eigen::Isometry) * *span.T_map_last});
+    checks.push_back(
+        {odometry_steps(span), span.T_map_first->inverse(Eigen::Isometry) * *span.T_map_last});
   }
   return checks;
 }
@@ -107,9 +108,6 @@ void Registration::take_spans(std::vector<Span> spans) {
     if (span.lines() <= lines_of_ribbon || span.lines() > most_lines) continue;
     if (!is_to_be_registered(span)) continue;
     start(span);
-    for (std::uint32_t line = span.first_line; line < span.end_line; ++line) {
-      if (!is_placed_[line]) witness_[line] = static_cast<std::int32_t>(spans_.size());
-    }
     spans_.push_back(std::move(span));
   }
 }
@@ -139,12 +137,12 @@ double Registration::sigma_m(std::uint32_t line, const PoseBelief& belief) const
     const Vector6 derivative = by_pose(sight, T.linear() * sight.normal, T).row(0).transpose();
     square_sum += derivative.dot(belief.covariance * derivative);
   }
-  return std::sqrt(square_sum / static_cast<double>(sights_[line].size()));
+  return std::sqrt(std::max(0.0, square_sum) / static_cast<double>(sights_[line].size()));
 }
 
-void Registration::place(std::uint32_t line, const PoseBelief& belief) {
+void Registration::place(std::uint32_t line, const PoseBelief& belief, double part_of_gate) {
   next_poses_[line].T_map_base = T_map_world_ * belief.T_world_base;
-  is_placed_[line] = sigma_m(line, belief) <= placed_part_of_gate * config_.corrected.distance_m;
+  is_placed_[line] = sigma_m(line, belief) <= part_of_gate * config_.corrected.distance_m;
 }
 
 bool Registration::is_to_be_registered(const Span& span) const {
@@ -157,9 +155,13 @@ bool Registration::is_to_be_registered(const Span& span) const {
 }
 
 void Registration::start(const Span& span) {
-  std::fill(is_fixed_.begin() + span.first_line, is_fixed_.begin() + span.end_line, 0);
   const Bridge bridge = bridge_over(span);
-  for (std::uint32_t i = 0; i < span.lines(); ++i) place(span.first_line + i, bridge.without(i));
+  for (std::uint32_t i = 0; i < span.lines(); ++i) {
+    const std::uint32_t line = span.first_line + i;
+    is_fixed_[line] = 0;
+    place(line, bridge.without(i), placed_at_first);
+    if (!is_placed_[line]) witness_[line] = static_cast<std::int32_t>(spans_.size());
+  }
 }
 
 LineChain Registration::register_span(const Span& span, const ReferencePlanes& planes) {
@@ -168,12 +170,15 @@ LineChain Registration::register_span(const Span& span, const ReferencePlanes& p
     return planes.observe(sights_[span.first_line + line], without_it);
   };
   for (int i = 0; i < sweeps_of_round; ++i) bridge.sweep(observe);
-  LineChain chain{in_world(T_map_world_, span.T_map_first), in_world(T_map_world_, span.T_map_last),
-                  odometry_steps(span), {}, {}};
+  LineChain chain{in_world(T_map_world_, span.T_map_first),
+                  in_world(T_map_world_, span.T_map_last),
+                  odometry_steps(span),
+                  {},
+                  {}};
   for (const Pose& step : chain.steps) chain.variances.push_back(noise_.variances(step));
   for (std::uint32_t i = 0; i < span.lines(); ++i) {
     const PoseBelief without = bridge.without(i), belief = updated(without, observe(i, without));
-    place(span.first_line + i, belief);
+    place(span.first_line + i, belief, placed_in_the_end);
     chain.lines.push_back(
         {belief.T_world_base, planes.sightings(sights_[span.first_line + i], belief)});
   }

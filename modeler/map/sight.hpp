@@ -11,8 +11,8 @@
 
 namespace ribbon_mapper {
 
-/// Part of a range's sigma that the points of a ribbon share (bias of a surface, of an angle). Poses
-/// that are known better than that have nothing to learn from ribbons.
+/// Part of a range's sigma that the points of a ribbon share (bias of a surface, of an angle).
+/// Poses that are known better than that have nothing to learn from ribbons.
 constexpr double shared_part_of_sigma = 0.25;
 
 /// A plane that ribbons are registered against. Its error: rotations that tip its normal towards

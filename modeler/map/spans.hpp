@@ -14,8 +14,8 @@ namespace ribbon_mapper {
 /// Successive lines without a corrected pose among them: strictly between two corrected poses, or,
 /// with one loose end, before the first or after the last one.
 struct Span {
-  std::uint32_t first_line = 0, end_line = 0;    ///< [first, end) of the recorded poses
-  std::optional<Pose> T_map_first, T_map_last;   ///< the corrected poses at its ends
+  std::uint32_t first_line = 0, end_line = 0;   ///< [first, end) of the recorded poses
+  std::optional<Pose> T_map_first, T_map_last;  ///< the corrected poses at its ends
   /// Of first end, lines, last end; a loose end is where its next line is.
   std::vector<Pose> T_odom_base;
 

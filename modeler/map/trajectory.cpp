@@ -22,9 +22,4 @@ void Trajectory::correct(const std::vector<StampedPose>& corrected) {
   }
 }
 
-const std::vector<RecordedPose>& Trajectory::corrected() const {
-  static const std::vector<RecordedPose> none;
-  return correction_ ? correction_->poses() : none;
-}
-
 }  // namespace ribbon_mapper

@@ -23,13 +23,13 @@ class Trajectory {
   /// Throws as Correction does; the trajectory is then as it was.
   void correct(const std::vector<StampedPose>& corrected);
 
-  /// Takes over the poses of all lines, as registered between the corrected ones.
+  /// Takes over the poses of all lines, registered between the corrected ones; stamps as they are.
   void refine(std::vector<StampedPose> poses) { current_ = std::move(poses); }
 
   const std::vector<StampedPose>& poses() const { return current_; }
   const std::vector<RecordedPose>& recorded() const { return recorded_; }
-  /// The corrected poses within the time of the model, none before the first correction.
-  const std::vector<RecordedPose>& corrected() const;
+  /// The corrected poses within the time of the model, with their odometry; only if is_corrected().
+  const std::vector<RecordedPose>& corrected() const { return correction_->poses(); }
   const StampedPose& recorded(std::size_t index) const { return recorded_[index].in_map; }
   bool is_corrected() const { return correction_.has_value(); }
 
