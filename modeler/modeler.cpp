@@ -8,6 +8,7 @@
 #include "modeler/map/evidence.hpp"
 #include "modeler/map/plane_builder.hpp"
 #include "modeler/map/plane_map.hpp"
+#include "modeler/map/registration.hpp"
 #include "modeler/map/thinning.hpp"
 #include "modeler/map/trajectory.hpp"
 #include "modeler/ribbon/ribbon_extraction.hpp"
@@ -63,6 +64,16 @@ struct Modeler::State {
       map.add({ribbon, T_world_base}, static_cast<std::uint32_t>(ribbons.size() - 1));
     }
     if (most_ribbons() > 0 && ribbons.size() > most_ribbons()) thin();
+  }
+
+  /// Where corrected poses are too far apart for the odometry to be believed in between.
+  void register_lines() {
+    const std::vector<RecordedPose> recorded = trajectory.recorded();
+    const std::vector<StampedPose> poses = trajectory.poses();
+    const std::vector<StampedPose> registered =
+        registered_poses({ribbons, recorded, trajectory.corrected(), poses}, config.map,
+                         config.scan.range_sigma_m);
+    if (!registered.empty()) trajectory.refine(registered);
   }
 
   /// Leaves ribbons out where they are dense, and lines that none of the others came from.
@@ -156,6 +167,7 @@ LineResult Modeler::add_scan_line(const LaserBeams& beams, const LinePoses& pose
 void Modeler::correct(const std::vector<StampedPose>& corrected_trajectory) {
   State& s = *state_;
   s.trajectory.correct(corrected_trajectory);
+  s.register_lines();
   s.evaluate_anew(s.config.map.corrected);
   ++s.revision;
 }

@@ -48,6 +48,7 @@ Correction::Correction(const std::vector<RecordedPose>& recorded,
     changes_.push_back({pose.stamp,
                         pose.T_map_base * was.in_map.T_map_base.inverse(Eigen::Isometry),
                         pose.T_map_base * was.T_odom_base.inverse(Eigen::Isometry)});
+    poses_.push_back({pose, was.T_odom_base});
   }
   if (changes_.empty()) {
     throw std::invalid_argument(

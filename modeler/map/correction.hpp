@@ -18,7 +18,8 @@ struct RecordedPose {
 /// says it was. At a corrected pose's time it is exactly that pose. Between two of them the robot
 /// went as its odometry says, and where odom lies in the corrected map is interpolated: a live
 /// localisation jumps about in between, odometry does not. Before the first and after the last, the
-/// nearest change of the recorded poses in map holds.
+/// nearest change of the recorded poses in map holds. What odometry does not know in between, the
+/// planes do: see registered_poses().
 class Correction {
  public:
   /// Poses of `corrected` that lie outside of the time of `recorded` (in order, not empty) are left
@@ -28,6 +29,9 @@ class Correction {
 
   Pose corrected(const RecordedPose& recorded) const;
 
+  /// The corrected poses that lie within the time of the recorded ones, with the odometry then.
+  const std::vector<RecordedPose>& poses() const { return poses_; }
+
  private:
   struct Change {
     Time stamp;
@@ -35,6 +39,7 @@ class Correction {
     Pose T_corrected_odom;  ///< the same for poses in odom
   };
   std::vector<Change> changes_;
+  std::vector<RecordedPose> poses_;  // of the changes
 };
 
 }  // namespace ribbon_mapper

@@ -25,6 +25,10 @@ void Trajectory::correct(const std::vector<StampedPose>& corrected) {
   for (std::size_t i = 0; i < size(); ++i) T_map_base_.set(i, correction_->corrected(recorded(i)));
 }
 
+void Trajectory::refine(const std::vector<StampedPose>& poses) {
+  for (std::size_t i = 0; i < size(); ++i) T_map_base_.set(i, poses[i].T_map_base);
+}
+
 void Trajectory::keep(const std::vector<std::uint32_t>& indices) {
   keep_only(indices, stamps_);
   T_map_base_recorded_.keep(indices);

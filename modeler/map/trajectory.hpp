@@ -28,12 +28,17 @@ class Trajectory {
   /// Leaves out all poses but these, in order.
   void keep(const std::vector<std::uint32_t>& indices);
 
+  /// Takes over the poses of all lines, registered between the corrected ones; stamps as they are.
+  void refine(const std::vector<StampedPose>& poses);
+
   std::size_t size() const { return stamps_.size(); }
   /// As it is now.
   Pose T_map_base(std::size_t index) const;
   std::vector<StampedPose> poses() const;
   RecordedPose recorded(std::size_t index) const;
   std::vector<RecordedPose> recorded() const;
+  /// The corrected poses within the time of the model, with their odometry; only if is_corrected().
+  const std::vector<RecordedPose>& corrected() const { return correction_->poses(); }
   bool is_corrected() const { return correction_.has_value(); }
   std::size_t memory_bytes() const;
 

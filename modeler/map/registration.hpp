@@ -1,0 +1,40 @@
+// SPDX-FileCopyrightText: 2026 ribbon_mapper authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "modeler/map/correction.hpp"
+#include "modeler/map/plane_map_config.hpp"
+#include "modeler/ribbon/ribbon.hpp"
+
+namespace ribbon_mapper {
+
+/// The lines of a model with their poses after a correction.
+struct CorrectedLines {
+  const std::vector<Ribbon>& ribbons;          ///< in the order of their lines
+  const std::vector<RecordedPose>& recorded;   ///< of each line
+  const std::vector<RecordedPose>& corrected;  ///< the corrected poses, with their odometry
+  const std::vector<StampedPose>& poses;       ///< of each line, as interpolated between those
+};
+
+/// Poses of all lines, of which those between corrected poses are where the model itself tells.
+///
+/// Between two corrected poses the odometry's error is a random walk that is zero at both. Where it
+/// may have moved ribbons off their planes, the lines are registered against the planes of those
+/// lines that are known to be placed right (at first: those next to corrected poses), by a bridge
+/// between the two corrected poses; then the planes are evaluated again with the lines that are now
+/// placed right, and so on. Corrected poses are never touched. How large the odometry's error is,
+/// its mismatch from each corrected pose to the next one shows.
+///
+/// The lines before the first and after the last corrected pose are registered from that one end,
+/// unless there are more than the longest bridge has.
+///
+/// The result is empty if there is nothing to register: corrected poses are nearly as dense as the
+/// lines (at most three in between, as a ribbon is made of), there is but one, or the odometry is
+/// good enough to be believed between them.
+std::vector<StampedPose> registered_poses(const CorrectedLines& lines, const PlaneMapConfig& config,
+                                          double range_sigma_m);
+
+}  // namespace ribbon_mapper

@@ -1,0 +1,137 @@
+// SPDX-FileCopyrightText: 2026 ribbon_mapper authors
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// Corrected poses that are far apart: lines between them are registered against the planes.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <random>
+
+#include "modeler/modeler.hpp"
+#include "test/modeler/plane_matchers.hpp"
+
+namespace ribbon_mapper {
+namespace {
+
+using namespace mini_world;
+
+constexpr double duration_s = 15.0;
+
+/// A random walk of the heading and the position: 2 degrees and 2 cm in a second.
+PoseByTime random_walk(unsigned seed) {
+  constexpr double step_s = 0.01;
+  std::mt19937 random(seed);
+  std::normal_distribution<double> turn(0.0, 0.035 * std::sqrt(step_s));
+  std::normal_distribution<double> slip(0.0, 0.02 * std::sqrt(step_s));
+  std::vector<Pose> drifts{Pose::Identity()};
+  for (int i = 0; i <= duration_s / step_s + 2; ++i) {
+    // Errors are made where the robot is.
+    const Pose there = around_the_middle(i * step_s);
+    const Pose error = planar_pose(slip(random), slip(random), turn(random));
+    drifts.push_back(drifts.back() * there * error * there.inverse(Eigen::Isometry));
+  }
+  return [drifts](double time_s) {
+    const double at = time_s / step_s;
+    const auto before = static_cast<std::size_t>(at);
+    return interpolate(drifts[before], drifts[before + 1], at - before);
+  };
+}
+
+Lines drifting_tour(unsigned seed = 5) {
+  return drive(room(), {around_the_middle, to_and_fro, random_walk(seed)}, 0.0, duration_s);
+}
+
+constexpr std::size_t each_two_seconds = 80;
+
+double largest_yaw_error_deg(const Modeler& modeler) {
+  double largest = 0.0;
+  for (const StampedPose& pose : modeler.trajectory()) {
+    const Pose truth = around_the_middle(to_seconds(pose.stamp) - 1000.0);
+    const double error = std::abs(yaw_of(truth.inverse(Eigen::Isometry) * pose.T_map_base));
+    largest = std::max(largest, error * 180.0 / M_PI);
+  }
+  return largest;
+}
+
+TEST(SparseCorrection, GivesTheModelOfADenseOne) {
+  for (const unsigned seed : {5U, 6U, 7U}) {
+    const Lines lines = drifting_tour(seed);
+    Modeler sparse = model_of(lines), dense = model_of(lines);
+    sparse.correct(true_trajectory(lines, each_two_seconds));
+    dense.correct(true_trajectory(lines));
+    EXPECT_LT(largest_yaw_error_deg(sparse), 1.0);
+    const auto a = anonymous(sparse.merged_planes()), b = anonymous(dense.merged_planes());
+    ASSERT_EQ(a.size(), b.size()) << "seed " << seed;
+    for (std::size_t i = 0; i < a.size(); ++i) {
+      EXPECT_GT(a[i].normal.dot(b[i].normal), std::cos(0.2 * M_PI / 180.0));
+      EXPECT_NEAR(0.0, a[i].normal.dot(b[i].centroid) + a[i].d_m, 0.005);
+    }
+  }
+}
+
+TEST(SparseCorrection, LeavesCorrectedPosesWhereTheyAre) {
+  const Lines lines = drifting_tour();
+  Modeler modeler = model_of(lines);
+  const std::vector<StampedPose> corrected = true_trajectory(lines, each_two_seconds);
+  modeler.correct(corrected);
+  std::size_t met = 0;
+  for (const StampedPose& pose : modeler.trajectory()) {
+    for (const StampedPose& exact : corrected) {
+      if (exact.stamp != pose.stamp) continue;
+      EXPECT_LT((exact.T_map_base.matrix() - pose.T_map_base.matrix()).norm(), 1e-12);
+      ++met;
+    }
+  }
+  EXPECT_GE(met, 5U);
+}
+
+TEST(SparseCorrection, TwiceTheSameChangesNothing) {
+  const Lines lines = drifting_tour();
+  Modeler modeler = model_of(lines);
+  modeler.correct(true_trajectory(lines, each_two_seconds));
+  const std::string planes = bytes_of(modeler.planes()), merged = bytes_of(modeler.merged_planes());
+  modeler.correct(true_trajectory(lines, each_two_seconds));
+  EXPECT_EQ(planes, bytes_of(modeler.planes()));
+  EXPECT_EQ(merged, bytes_of(modeler.merged_planes()));
+}
+
+TEST(SparseCorrection, AShiftMovesEveryPlaneByThat) {
+  const Pose shift = Eigen::Translation3d(40.0, -25.0, 3.0) *
+                     Eigen::AngleAxisd(2.5, Eigen::Vector3d(0.2, -0.3, 0.9).normalized());
+  const Lines lines = drifting_tour();
+  Modeler modeler = model_of(lines);
+  std::vector<StampedPose> corrected = true_trajectory(lines, each_two_seconds);
+  modeler.correct(corrected);
+  std::vector<Plane> expected = modeler.merged_planes();
+  for (Plane& plane : expected) plane = moved(plane, shift);
+  for (StampedPose& pose : corrected) pose.T_map_base = shift * pose.T_map_base;
+  modeler.correct(corrected);
+  expect_same(expected, modeler.merged_planes(), 1e-6);
+}
+
+TEST(SparseCorrection, AnOdometryWithoutErrorsIsBelieved) {
+  const Lines lines = drive(room(), {around_the_middle, to_and_fro, no_drift}, 0.0, duration_s);
+  Modeler modeler = model_of(lines);
+  const std::vector<StampedPose> recorded = modeler.trajectory();
+  modeler.correct(true_trajectory(lines, each_two_seconds));
+  double largest = 0.0;
+  for (std::size_t i = 0; i < recorded.size(); ++i) {
+    const Pose pose = modeler.trajectory()[i].T_map_base;
+    largest = std::max(largest, (recorded[i].T_map_base.matrix() - pose.matrix()).norm());
+  }
+  EXPECT_LT(largest, 1e-4);  // registered lines would move by millimetres
+}
+
+TEST(SparseCorrection, WithNothingToSeeTheOdometryHolds) {
+  World world;  // the floor alone: it does not say where the robot is, nor how it is turned
+  world.push_back(room()[4]);
+  const Lines lines =
+      drive(world, {around_the_middle, to_and_fro, random_walk(5)}, 0.0, duration_s);
+  Modeler modeler = model_of(lines);
+  modeler.correct(true_trajectory(lines, each_two_seconds));
+  EXPECT_LT(largest_yaw_error_deg(modeler), 15.0);
+  EXPECT_EQ(1U, modeler.merged_planes().size());
+}
+
+}  // namespace
+}  // namespace ribbon_mapper
