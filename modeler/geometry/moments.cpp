@@ -3,6 +3,8 @@
 #include "modeler/geometry/moments.hpp"
 
 #include <Eigen/Eigenvalues>
+#include <cmath>
+#include <optional>
 
 namespace ribbon_mapper {
 namespace {
@@ -15,18 +17,112 @@ Symmetric second_moments(const std::array<double, 10>& s) {
   return m;
 }
 
+/// The upper half of a covariance.
+struct Covariance {
+  explicit Covariance(const std::array<double, 6>& c)
+      : xx(c[0]), xy(c[1]), xz(c[2]), yy(c[3]), yz(c[4]), zz(c[5]) {}
+
+  Eigen::Vector3d operator*(const Eigen::Vector3d& v) const {
+    return {xx * v.x() + xy * v.y() + xz * v.z(), xy * v.x() + yy * v.y() + yz * v.z(),
+            xz * v.x() + yz * v.y() + zz * v.z()};
+  }
+
+  double xx, xy, xz, yy, yz, zz;
+};
+
+/// Coefficients of the characteristic polynomial x^3 - trace x^2 + minors x - determinant.
+struct Characteristic {
+  explicit Characteristic(const Covariance& c) : trace(c.xx + c.yy + c.zz) {
+    const double x = c.yy * c.zz - c.yz * c.yz, y = c.xx * c.zz - c.xz * c.xz,
+                 z = c.xx * c.yy - c.xy * c.xy;
+    minors = x + y + z;
+    determinant = c.xx * x + c.xy * (c.xz * c.yz - c.xy * c.zz) +
+                  c.xz * (c.xy * c.yz - c.xz * c.yy);
+  }
+
+  double trace, minors, determinant;
+};
+
+/// The smallest root: the cube is left out at first, which is little of it for anything flat, then
+/// Newton's method puts it back. None if two roots are so close that this takes long.
+std::optional<double> smallest_root(const Characteristic& p) {
+  const double discriminant = p.minors * p.minors - 4.0 * p.trace * p.determinant;
+  double x = 2.0 * p.determinant / (p.minors + std::sqrt(std::max(0.0, discriminant)));
+  for (int step = 0; step < 4; ++step) {
+    const double slope = (3.0 * x - 2.0 * p.trace) * x + p.minors;
+    if (!(slope > 1e-3 * p.minors)) return std::nullopt;
+    const double change = (((x - p.trace) * x + p.minors) * x - p.determinant) / slope;
+    x -= change;
+    if (std::abs(change) <= 1e-6 * std::abs(x)) return std::max(0.0, x);
+  }
+  return std::nullopt;
+}
+
+/// Eigenvector of the eigenvalue: a column of the adjugate of c - eigenvalue, the longest.
+Eigen::Vector3d eigenvector(const Covariance& c, double eigenvalue) {
+  const double x = c.xx - eigenvalue, y = c.yy - eigenvalue, z = c.zz - eigenvalue;
+  const Eigen::Vector3d diagonal(y * z - c.yz * c.yz, x * z - c.xz * c.xz, x * y - c.xy * c.xy);
+  const double xy = c.xz * c.yz - c.xy * z, xz = c.xy * c.yz - c.xz * y,
+               yz = c.xy * c.xz - c.yz * x;
+  Eigen::Vector3d column(diagonal.x(), xy, xz);
+  if (diagonal.y() > diagonal.x() && diagonal.y() >= diagonal.z()) {
+    column = {xy, diagonal.y(), yz};
+  } else if (diagonal.z() > diagonal.x()) {
+    column = {xz, yz, diagonal.z()};
+  }
+  return column / std::sqrt(column.squaredNorm());
+}
+
+/// None where points lie on one line, on one spot, or are no flatter than wide.
+std::optional<NormalFit> fit_in_closed_form(const Covariance& c) {
+  const Characteristic p(c);
+  if (!(p.minors > 1e-7 * p.trace * p.trace)) return std::nullopt;
+  const std::optional<double> least = smallest_root(p);
+  if (!least) return std::nullopt;
+  const double sum = p.trace - *least, product = p.minors - *least * sum;  // of the other two
+  const double root = std::sqrt(std::max(0.0, sum * sum - 4.0 * product));
+  const double middle = 2.0 * product / (sum + root);
+  if (!(middle > *least)) return std::nullopt;
+  return NormalFit{eigenvector(c, *least), {*least, middle, sum - middle}};
+}
+
+/// With the axes of the smaller and the larger extent beside the normal.
+Eigen::Matrix3d axes_of(const Covariance& c, const Eigen::Vector3d& normal) {
+  const Eigen::Vector3d u = normal.unitOrthogonal(), v = normal.cross(u);
+  const Eigen::Vector3d along_u = c * u;
+  const double half = 0.5 * (u.dot(along_u) - v.dot(c * v)), mixed = v.dot(along_u);
+  const double length = std::sqrt(half * half + mixed * mixed);
+  Eigen::Vector2d larger(half >= 0.0 ? half + length : mixed, half >= 0.0 ? mixed : length - half);
+  if (length == 0.0) larger = Eigen::Vector2d::UnitX();
+  larger.normalize();
+  Eigen::Matrix3d axes;
+  axes << normal, larger.x() * v - larger.y() * u, larger.x() * u + larger.y() * v;
+  return axes;
+}
+
+PlaneFit fit_by_eigen(const Moments& moments) {
+  Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver;
+  solver.computeDirect(moments.covariance());
+  return {moments.mean(), solver.eigenvalues().cwiseMax(0.0), solver.eigenvectors()};
+}
+
 }  // namespace
 
 Eigen::Matrix3d Moments::covariance() const {
-  const Eigen::Vector3d centre = mean();
-  return second_moments(sums_) / weight() - centre * centre.transpose();
+  const std::array<double, 6> c = upper_covariance();
+  Symmetric m;
+  m << c[0], c[1], c[2], c[1], c[3], c[4], c[2], c[4], c[5];
+  return m;
 }
 
 double Moments::mean_square_distance(const Eigen::Vector3d& normal, double d_m) const {
-  const Eigen::Vector3d sum(sums_[1], sums_[2], sums_[3]);
-  const double square = normal.dot(second_moments(sums_) * normal) + 2.0 * d_m * normal.dot(sum) +
-                        d_m * d_m * weight();
-  return std::max(0.0, square / weight());
+  const double x = normal.x(), y = normal.y(), z = normal.z();
+  const auto& s = sums_;
+  const double squares = x * (x * s[4] + 2.0 * (y * s[5] + z * s[6])) +
+                         y * (y * s[7] + 2.0 * z * s[8]) + z * z * s[9];
+  const double square =
+      squares + 2.0 * d_m * (x * s[1] + y * s[2] + z * s[3]) + d_m * d_m * s[0];
+  return std::max(0.0, square / s[0]);
 }
 
 void Moments::spread(const Eigen::Vector3d& offset) {
@@ -50,9 +146,17 @@ Moments Moments::transformed(const Pose& T) const {
 }
 
 PlaneFit fit_plane(const Moments& moments) {
-  Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver;
-  solver.computeDirect(moments.covariance());
-  return {moments.mean(), solver.eigenvalues().cwiseMax(0.0), solver.eigenvectors()};
+  const Covariance c(moments.upper_covariance());
+  if (const std::optional<NormalFit> fit = fit_in_closed_form(c)) {
+    return {moments.mean(), fit->variances, axes_of(c, fit->normal)};
+  }
+  return fit_by_eigen(moments);
+}
+
+NormalFit fit_normal(const Moments& moments) {
+  if (const auto fit = fit_in_closed_form(Covariance(moments.upper_covariance()))) return *fit;
+  const PlaneFit fit = fit_by_eigen(moments);
+  return {fit.normal(), fit.variances};
 }
 
 }  // namespace ribbon_mapper

@@ -20,15 +20,15 @@ class Moments {
     for (std::size_t i = 0; i < 10; ++i) sums_[i] += one[i];
   }
   Moments& operator+=(const Moments& other) {
-    for (std::size_t i = 0; i < 10; ++i) sums_[i] += other.sums_[i];
+    vector() += other.vector();
     return *this;
   }
   Moments& operator-=(const Moments& other) {
-    for (std::size_t i = 0; i < 10; ++i) sums_[i] -= other.sums_[i];
+    vector() -= other.vector();
     return *this;
   }
   Moments& operator*=(double weight) {
-    for (double& sum : sums_) sum *= weight;
+    vector() *= weight;
     return *this;
   }
   /// Every point becomes a pair at +-`offset` from it: what a line of points knows across itself.
@@ -40,18 +40,40 @@ class Moments {
   }
   /// Second moments about the mean, divided by the weight [m2].
   Eigen::Matrix3d covariance() const;
+  /// The same without its lower half: xx, xy, xz, yy, yz, zz.
+  std::array<double, 6> upper_covariance() const {
+    const double share = 1.0 / sums_[0];
+    const double x = share * sums_[1], y = share * sums_[2], z = share * sums_[3];
+    return {share * sums_[4] - x * x, share * sums_[5] - x * y, share * sums_[6] - x * z,
+            share * sums_[7] - y * y, share * sums_[8] - y * z, share * sums_[9] - z * z};
+  }
   /// Mean square of the signed distances n.p + d [m2].
   double mean_square_distance(const Eigen::Vector3d& normal, double d_m) const;
   /// The same points in another frame.
   Moments transformed(const Pose& T_target_source) const;
 
  private:
-  std::array<double, 10> sums_{};  // 1, x, y, z, xx, xy, xz, yy, yz, zz
+  // As Eigen sees them, two at a time.
+  using Vector = Eigen::Matrix<double, 10, 1>;
+  Eigen::Map<Vector, Eigen::Aligned16> vector() {
+    return Eigen::Map<Vector, Eigen::Aligned16>(sums_.data());
+  }
+  Eigen::Map<const Vector, Eigen::Aligned16> vector() const {
+    return Eigen::Map<const Vector, Eigen::Aligned16>(sums_.data());
+  }
+
+  alignas(16) std::array<double, 10> sums_{};  // 1, x, y, z, xx, xy, xz, yy, yz, zz
 };
 
 inline Moments operator+(Moments a, const Moments& b) { return a += b; }
 inline Moments operator-(Moments a, const Moments& b) { return a -= b; }
 inline Moments operator*(double weight, Moments moments) { return moments *= weight; }
+
+/// Normal of the least-squares plane through weighted points, without the axes within it.
+struct NormalFit {
+  Eigen::Vector3d normal = Eigen::Vector3d::UnitX();  ///< either side
+  Eigen::Vector3d variances = Eigen::Vector3d::Zero();  ///< as of PlaneFit
+};
 
 /// Least-squares plane through weighted points: principal component analysis (section 4.1).
 struct PlaneFit {
@@ -64,7 +86,8 @@ struct PlaneFit {
   double d_m() const { return -normal().dot(mean); }
 };
 
-/// Needs at least three points; the normal of fewer, or of points on one line, is arbitrary.
+/// Both need at least three points; the normal of fewer, or of points on one line, is arbitrary.
 PlaneFit fit_plane(const Moments& moments);
+NormalFit fit_normal(const Moments& moments);
 
 }  // namespace ribbon_mapper

@@ -24,8 +24,9 @@ struct ScanLine {
   double angle_increment_rad = 0.0;
   double half_increment_sine = 0.0;  ///< sin(dtheta / 2) of eq. 2
   std::size_t pooled_lines = 1;  ///< that this one is the mean of
-  std::vector<float> ranges_m;           ///< 0: no return
-  std::vector<Eigen::Vector3d> origins;  ///< of each beam, odom
+  Eigen::Vector3d first_origin = Eigen::Vector3d::Zero();  ///< of the first beam, odom
+  Eigen::Vector3d origin_step = Eigen::Vector3d::Zero();   ///< from each beam's to the next one's
+  std::vector<float> ranges_m;              ///< 0: no return
   std::vector<Eigen::Vector3d> directions;  ///< of each beam, odom, unit length
   std::vector<Eigen::Vector3d> points;      ///< odom; meaningless where the range is 0
   /// Beams [first_of_segment[i], end_of_segment[i]) have returns without a jump in depth.
@@ -34,6 +35,9 @@ struct ScanLine {
 
   std::size_t size() const { return ranges_m.size(); }
   bool has_return(std::size_t beam) const { return ranges_m[beam] > 0.0F; }
+  Eigen::Vector3d origin(std::size_t beam) const {
+    return first_origin + static_cast<double>(beam) * origin_step;
+  }
   /// Moments of the returns among beams [begin, end).
   Moments moments(std::size_t begin, std::size_t end) const { return before[end] - before[begin]; }
 };
