@@ -50,10 +50,10 @@ std::optional<double> smallest_root(const Characteristic& p) {
   double x = 2.0 * p.determinant / (p.minors + std::sqrt(std::max(0.0, discriminant)));
   for (int step = 0; step < 4; ++step) {
     const double slope = (3.0 * x - 2.0 * p.trace) * x + p.minors;
-    if (!(slope > 1e-3 * p.minors)) return std::nullopt;
+    if (!(slope > 1e-2 * p.minors)) return std::nullopt;
     const double change = (((x - p.trace) * x + p.minors) * x - p.determinant) / slope;
     x -= change;
-    if (std::abs(change) <= 1e-6 * std::abs(x)) return std::max(0.0, x);
+    if (std::abs(change) <= 1e-4 * std::abs(x)) return std::max(0.0, x);
   }
   return std::nullopt;
 }

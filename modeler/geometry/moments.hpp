@@ -15,9 +15,11 @@ class Moments {
  public:
   void add(const Eigen::Vector3d& point) {
     const double x = point.x(), y = point.y(), z = point.z();
-    const std::array<double, 10> one{1.0,   x,     y,     z,     x * x,
-                                     x * y, x * z, y * y, y * z, z * z};
-    for (std::size_t i = 0; i < 10; ++i) sums_[i] += one[i];
+    // One by one, so that a running sum stays in registers.
+    sums_[0] += 1.0;
+    sums_[1] += x, sums_[2] += y, sums_[3] += z;
+    sums_[4] += x * x, sums_[5] += x * y, sums_[6] += x * z;
+    sums_[7] += y * y, sums_[8] += y * z, sums_[9] += z * z;
   }
   Moments& operator+=(const Moments& other) {
     vector() += other.vector();

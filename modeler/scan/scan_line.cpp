@@ -10,6 +10,9 @@
 namespace ribbon_mapper {
 namespace {
 
+/// Four numbers are two pairs to the processor, three are not.
+Eigen::Vector4d padded(const Eigen::Vector3d& v) { return {v.x(), v.y(), v.z(), 0.0}; }
+
 /// Motion of the laser from the first to the last beam, with the fraction s in -0.5 .. 0.5 about
 /// the middle. The rotation is developed to second order in s: for the 0.02 rad that a PR2's tilt
 /// turns within a line, this is exact to 1e-7 rad.
@@ -21,9 +24,9 @@ class LaserMotion {
     const Eigen::AngleAxisd turn(T_odom_laser_last.linear() *
                                  T_odom_laser_first.linear().transpose());
     const Eigen::Vector3d rotation = turn.angle() * turn.axis();
-    for (int axis = 0; axis < 2; ++axis) {
-      first_order_.col(axis) = rotation.cross(middle_.linear().col(axis));
-      second_order_.col(axis) = 0.5 * rotation.cross(first_order_.col(axis));
+    for (int i = 0; i < 2; ++i) {
+      const Eigen::Vector3d axis = middle_.linear().col(i), moved = rotation.cross(axis);
+      axes_[i] = {padded(axis), padded(moved), padded(0.5 * rotation.cross(moved))};
     }
   }
 
@@ -31,17 +34,20 @@ class LaserMotion {
   const Eigen::Vector3d& travel() const { return travel_; }
 
   /// `beam`: direction in the scan plane.
-  Eigen::Vector3d direction(double s, const Eigen::Vector2d& beam) const {
-    const auto axis = [&](int i) {
-      return middle_.linear().col(i) + s * (first_order_.col(i) + s * second_order_.col(i));
-    };
-    return beam.x() * axis(0) + beam.y() * axis(1);
+  Eigen::Vector4d direction(double s, const Eigen::Vector2d& beam) const {
+    return beam.x() * axes_[0].at(s) + beam.y() * axes_[1].at(s);
   }
 
  private:
+  /// Of the scan plane, to second order.
+  struct Axis {
+    Eigen::Vector4d at_middle, first_order, second_order;
+    Eigen::Vector4d at(double s) const { return at_middle + s * (first_order + s * second_order); }
+  };
+
   Pose middle_;
   Eigen::Vector3d travel_;
-  Eigen::Matrix<double, 3, 2> first_order_, second_order_;
+  std::array<Axis, 2> axes_;
 };
 
 /// Directions in the scan plane of one beam after the other: each turned from the one before, and
@@ -178,10 +184,14 @@ void place_returns(const LaserBeams& beams, const LaserMotion& motion, const Sca
   const double first = config.deskew ? -0.5 : 0.0;
   line.first_origin = motion.origin(first);
   line.origin_step = step * motion.travel();
+  const Eigen::Vector4d origin = padded(line.first_origin), to_next = padded(line.origin_step);
   BeamFan fan(beams);
   for (std::size_t i = 0; i < size; ++i) {
-    line.directions[i] = motion.direction(first + i * step, fan.next());
-    line.points[i] = line.origin(i) + line.ranges_m[i] * line.directions[i];
+    const auto beam = static_cast<double>(i);
+    const Eigen::Vector4d direction = motion.direction(first + beam * step, fan.next());
+    const Eigen::Vector4d point = origin + beam * to_next + line.ranges_m[i] * direction;
+    line.directions[i] = direction.head<3>();
+    line.points[i] = point.head<3>();
     if (body.holds(line.points[i])) line.ranges_m[i] = 0.0F;
   }
 }
