@@ -43,19 +43,26 @@ struct Characteristic {
   double trace, minors, determinant;
 };
 
-/// The smallest root: the cube is left out at first, which is little of it for anything flat, then
-/// Newton's method puts it back. None if two roots are so close that this takes long.
+/// The smallest root to 1e-5 or better: the cube is left out at first, which is little of it for
+/// anything flat, then Newton's method puts it back. None if the root is nearly a double one.
 std::optional<double> smallest_root(const Characteristic& p) {
   const double discriminant = p.minors * p.minors - 4.0 * p.trace * p.determinant;
   double x = 2.0 * p.determinant / (p.minors + std::sqrt(std::max(0.0, discriminant)));
   for (int step = 0; step < 4; ++step) {
     const double slope = (3.0 * x - 2.0 * p.trace) * x + p.minors;
-    if (!(slope > 1e-2 * p.minors)) return std::nullopt;
+    if (!(slope > 0.1 * p.minors)) return std::nullopt;
     const double change = (((x - p.trace) * x + p.minors) * x - p.determinant) / slope;
     x -= change;
-    if (std::abs(change) <= 1e-4 * std::abs(x)) return std::max(0.0, x);
+    if (std::abs(change) <= 1e-3 * std::abs(x)) return std::max(0.0, x);  // squared by this step
   }
   return std::nullopt;
+}
+
+/// The smallest root where it is well apart from the others and these are no double one at 0: not
+/// where points lie on one line, on one spot, or are as thick as wide.
+std::optional<double> least_variance(const Characteristic& p) {
+  if (!(p.minors > 1e-7 * p.trace * p.trace)) return std::nullopt;
+  return smallest_root(p);
 }
 
 /// Eigenvector of the eigenvalue: a column of the adjugate of c - eigenvalue, the longest.
@@ -70,34 +77,25 @@ Eigen::Vector3d eigenvector(const Covariance& c, double eigenvalue) {
   } else if (diagonal.z() > diagonal.x()) {
     column = {xz, yz, diagonal.z()};
   }
-  return column / std::sqrt(column.squaredNorm());
+  return (1.0 / std::sqrt(column.squaredNorm())) * column;
 }
 
-/// None where points lie on one line, on one spot, or are no flatter than wide.
-std::optional<NormalFit> fit_in_closed_form(const Covariance& c) {
-  const Characteristic p(c);
-  if (!(p.minors > 1e-7 * p.trace * p.trace)) return std::nullopt;
-  const std::optional<double> least = smallest_root(p);
-  if (!least) return std::nullopt;
-  const double sum = p.trace - *least, product = p.minors - *least * sum;  // of the other two
-  const double root = std::sqrt(std::max(0.0, sum * sum - 4.0 * product));
-  const double middle = 2.0 * product / (sum + root);
-  if (!(middle > *least)) return std::nullopt;
-  return NormalFit{eigenvector(c, *least), {*least, middle, sum - middle}};
-}
-
-/// With the axes of the smaller and the larger extent beside the normal.
-Eigen::Matrix3d axes_of(const Covariance& c, const Eigen::Vector3d& normal) {
+/// From the smallest variance; the axes of the other two are turned within the plane.
+PlaneFit completed(const Moments& moments, const Covariance& c, double least_m2) {
+  const Eigen::Vector3d normal = eigenvector(c, least_m2);
   const Eigen::Vector3d u = normal.unitOrthogonal(), v = normal.cross(u);
-  const Eigen::Vector3d along_u = c * u;
-  const double half = 0.5 * (u.dot(along_u) - v.dot(c * v)), mixed = v.dot(along_u);
-  const double length = std::sqrt(half * half + mixed * mixed);
-  Eigen::Vector2d larger(half >= 0.0 ? half + length : mixed, half >= 0.0 ? mixed : length - half);
+  const Eigen::Vector3d c_u = c * u, c_v = c * v;
+  const double uu = u.dot(c_u), vv = v.dot(c_v), uv = u.dot(c_v);
+  const double half = 0.5 * (uu - vv), length = std::sqrt(half * half + uv * uv);
+  Eigen::Vector2d larger = half >= 0.0 ? Eigen::Vector2d(half + length, uv)
+                                       : Eigen::Vector2d(uv, length - half);
   if (length == 0.0) larger = Eigen::Vector2d::UnitX();
   larger.normalize();
-  Eigen::Matrix3d axes;
-  axes << normal, larger.x() * v - larger.y() * u, larger.x() * u + larger.y() * v;
-  return axes;
+  PlaneFit fit{moments.mean(), {}, {}};
+  fit.axes << normal, larger.x() * v - larger.y() * u, larger.x() * u + larger.y() * v;
+  const double mean = 0.5 * (uu + vv);
+  fit.variances = {least_m2, std::max(least_m2, mean - length), mean + length};
+  return fit;
 }
 
 PlaneFit fit_by_eigen(const Moments& moments) {
@@ -147,16 +145,28 @@ Moments Moments::transformed(const Pose& T) const {
 
 PlaneFit fit_plane(const Moments& moments) {
   const Covariance c(moments.upper_covariance());
-  if (const std::optional<NormalFit> fit = fit_in_closed_form(c)) {
-    return {moments.mean(), fit->variances, axes_of(c, fit->normal)};
+  if (const auto least_m2 = least_variance(Characteristic(c))) {
+    return completed(moments, c, *least_m2);
   }
   return fit_by_eigen(moments);
 }
 
-NormalFit fit_normal(const Moments& moments) {
-  if (const auto fit = fit_in_closed_form(Covariance(moments.upper_covariance()))) return *fit;
-  const PlaneFit fit = fit_by_eigen(moments);
-  return {fit.normal(), fit.variances};
+std::optional<Eigen::Vector3d> flat_normal(const Moments& moments, const Flatness& flatness) {
+  const Covariance c(moments.upper_covariance());
+  const Characteristic p(c);
+  const std::optional<double> least_m2 = least_variance(p);
+  if (!least_m2) {
+    const PlaneFit fit = fit_by_eigen(moments);
+    const bool is_flat = fit.variances[0] <= flatness.most_variance_m2 &&
+                         fit.variances[1] >= flatness.least_width_ratio * fit.variances[0];
+    return is_flat ? std::optional(fit.normal()) : std::nullopt;
+  }
+  // The other two variances, the roots of x^2 - sum x + product, are not less than `width_m2`.
+  const double width_m2 = flatness.least_width_ratio * *least_m2;
+  const double sum = p.trace - *least_m2, product = p.minors - *least_m2 * sum;
+  const bool is_wide = 2.0 * width_m2 <= sum && (width_m2 - sum) * width_m2 + product >= 0.0;
+  if (*least_m2 > flatness.most_variance_m2 || !is_wide) return std::nullopt;
+  return eigenvector(c, *least_m2);
 }
 
 }  // namespace ribbon_mapper

@@ -4,6 +4,7 @@
 
 #include <Eigen/Core>
 #include <array>
+#include <optional>
 
 #include "modeler/geometry/pose.hpp"
 
@@ -71,12 +72,6 @@ inline Moments operator+(Moments a, const Moments& b) { return a += b; }
 inline Moments operator-(Moments a, const Moments& b) { return a -= b; }
 inline Moments operator*(double weight, Moments moments) { return moments *= weight; }
 
-/// Normal of the least-squares plane through weighted points, without the axes within it.
-struct NormalFit {
-  Eigen::Vector3d normal = Eigen::Vector3d::UnitX();  ///< either side
-  Eigen::Vector3d variances = Eigen::Vector3d::Zero();  ///< as of PlaneFit
-};
-
 /// Least-squares plane through weighted points: principal component analysis (section 4.1).
 struct PlaneFit {
   Eigen::Vector3d mean = Eigen::Vector3d::Zero();
@@ -88,8 +83,17 @@ struct PlaneFit {
   double d_m() const { return -normal().dot(mean); }
 };
 
-/// Both need at least three points; the normal of fewer, or of points on one line, is arbitrary.
+/// Needs at least three points; the normal of fewer, or of points on one line, is arbitrary.
 PlaneFit fit_plane(const Moments& moments);
-NormalFit fit_normal(const Moments& moments);
+
+/// When points are flat enough for a normal.
+struct Flatness {
+  double most_variance_m2;   ///< across the plane
+  double least_width_ratio;  ///< the smaller extent's variance, in units of that across the plane
+};
+
+/// The normal of fit_plane(), for less than half the time of all three axes; none if the points are
+/// not flat.
+std::optional<Eigen::Vector3d> flat_normal(const Moments& moments, const Flatness& flatness);
 
 }  // namespace ribbon_mapper

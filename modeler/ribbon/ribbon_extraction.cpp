@@ -122,10 +122,8 @@ void RibbonExtraction::make_ribbon(const LineBuffer& buffer, const Run& run) {
   Moments moments = line.moments(core.begin, core.end);
   moments.spread(base_line_m * across);
   ribbon.moments = moments.transformed(T_base_odom);
-  for (std::size_t beam = core.begin; beam < core.end; ++beam) {
-    taken_[beam] = 1;
-    ribbon.area_m2 += std::min(config_.area_cap_m2, surfel_area_m2(buffer, beam));
-  }
+  std::fill(taken_.begin() + core.begin, taken_.begin() + core.end, 1);
+  ribbon.area_m2 = capped_area_m2(buffer, {core.begin, core.end}, config_.area_cap_m2);
   sample(line, core, &plane, ribbon.samples);
   ribbons_.push_back(std::move(ribbon));
 }

@@ -45,26 +45,25 @@ double area_m2(const Lines& lines, std::size_t beam) {
   return 4.0 * range * range * half_step_sine * lines.middle.half_increment_sine;
 }
 
-/// Largest variance across the plane that noise explains.
-double noise_limit_m2(const ScanConfig& scan, const RibbonConfig& config) {
-  const double limit = config.outlier_sigmas * scan.range_sigma_m;
-  return limit * limit;
+/// No thicker than noise explains. The smaller extent is that of the base line: no wider than thick
+/// means no normal.
+Flatness flatness_of(const ScanConfig& scan, const RibbonConfig& config) {
+  const double limit_m = config.outlier_sigmas * scan.range_sigma_m;
+  return {limit_m * limit_m, 2.0};
 }
 
 /// All but the area; false if the points make no normal.
 bool estimate(const Lines& lines, std::size_t beam, const Neighbourhood& near,
-              double variance_limit_m2, Surfel& surfel) {
+              const Flatness& flatness, Surfel& surfel) {
   const Moments middle = lines.middle.moments(near.begin, near.end);
-  const NormalFit fit = fit_normal(middle + lines.previous.moments(near.begin, near.end) +
-                                   lines.next.moments(near.begin, near.end));
-  // On a plane the smaller extent is that of the base line; no wider than thick means no normal.
-  if (fit.variances[0] > variance_limit_m2 || fit.variances[1] < 2.0 * fit.variances[0]) {
-    return false;
-  }
+  const auto normal = flat_normal(middle + lines.previous.moments(near.begin, near.end) +
+                                      lines.next.moments(near.begin, near.end),
+                                  flatness);
+  if (!normal) return false;
   surfel.beam = static_cast<std::uint32_t>(beam);
   surfel.point = middle.mean();
-  const bool away = fit.normal.dot(lines.middle.directions[beam]) > 0.0;
-  surfel.normal = away ? Eigen::Vector3d(-fit.normal) : fit.normal;
+  const double side = normal->dot(lines.middle.directions[beam]) > 0.0 ? -1.0 : 1.0;
+  surfel.normal = side * *normal;
   return true;
 }
 
@@ -78,11 +77,20 @@ double surfel_area_m2(const LineBuffer& buffer, std::size_t beam) {
   return area_m2(Lines(buffer), beam);
 }
 
+double capped_area_m2(const LineBuffer& buffer, const Neighbourhood& beams, double cap_m2) {
+  const Lines lines(buffer);
+  double sum_m2 = 0.0;
+  for (std::size_t beam = beams.begin; beam < beams.end; ++beam) {
+    sum_m2 += std::min(cap_m2, area_m2(lines, beam));
+  }
+  return sum_m2;
+}
+
 void estimate_surfels(const LineBuffer& buffer, const ScanConfig& scan, const RibbonConfig& config,
                       std::vector<Surfel>& surfels) {
   surfels.clear();
   const Lines lines(buffer);
-  const double limit = noise_limit_m2(scan, config);
+  const Flatness flatness = flatness_of(scan, config);
   Surfel surfel;
   for (std::size_t beam = 0; beam < lines.middle.size();) {
     if (!lines.middle.has_return(beam)) {
@@ -91,7 +99,7 @@ void estimate_surfels(const LineBuffer& buffer, const ScanConfig& scan, const Ri
     }
     const Neighbourhood near = around(lines, beam, config.neighbourhood_m);
     const std::size_t stride = std::max<std::size_t>(1, near.size() / 8);
-    if (near.size() > 0 && estimate(lines, beam, near, limit, surfel)) {
+    if (near.size() > 0 && estimate(lines, beam, near, flatness, surfel)) {
       surfel.area_m2 = std::min(config.area_cap_m2, area_m2(lines, beam)) * stride;
       surfels.push_back(surfel);
     }
