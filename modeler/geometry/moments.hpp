@@ -34,6 +34,16 @@ class Moments {
     vector() *= weight;
     return *this;
   }
+  friend Moments operator+(const Moments& a, const Moments& b) {
+    Moments sum;
+    sum.vector() = a.vector() + b.vector();
+    return sum;
+  }
+  friend Moments operator-(const Moments& a, const Moments& b) {
+    Moments difference;
+    difference.vector() = a.vector() - b.vector();
+    return difference;
+  }
   /// Every point becomes a pair at +-`offset` from it: what a line of points knows across itself.
   void spread(const Eigen::Vector3d& offset);
 
@@ -68,8 +78,6 @@ class Moments {
   alignas(16) std::array<double, 10> sums_{};  // 1, x, y, z, xx, xy, xz, yy, yz, zz
 };
 
-inline Moments operator+(Moments a, const Moments& b) { return a += b; }
-inline Moments operator-(Moments a, const Moments& b) { return a -= b; }
 inline Moments operator*(double weight, Moments moments) { return moments *= weight; }
 
 /// Least-squares plane through weighted points: principal component analysis (section 4.1).

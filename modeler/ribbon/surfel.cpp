@@ -8,7 +8,7 @@
 namespace ribbon_mapper {
 namespace {
 
-constexpr std::size_t least_half_width = 2;  // beams
+constexpr std::int64_t least_half_width = 2;  // beams
 
 /// The lines of a buffer, with what does not change from beam to beam.
 struct Lines {
@@ -23,21 +23,24 @@ struct Lines {
 };
 
 Neighbourhood around(const Lines& lines, std::size_t beam, double half_length_m) {
-  const double spacing_m = lines.middle.ranges_m[beam] * lines.beam_spacing;
-  const std::size_t half =
-      std::max(least_half_width, static_cast<std::size_t>(half_length_m / spacing_m));
-  std::size_t begin = beam > half ? beam - half : 0;
-  std::size_t end = beam + half + 1;
-  for (const ScanLine* line : {&lines.previous, &lines.middle, &lines.next}) {
-    if (!line->has_return(beam)) return {};
-    begin = std::max<std::size_t>(begin, line->first_of_segment[beam]);
-    end = std::min<std::size_t>(end, line->end_of_segment[beam]);
-  }
+  const auto& [previous, middle, next, beam_spacing] = lines;
+  if (!previous.has_return(beam) || !middle.has_return(beam) || !next.has_return(beam)) return {};
+  const auto half = std::max<std::int64_t>(
+      least_half_width,
+      static_cast<std::int64_t>(half_length_m / (middle.ranges_m[beam] * beam_spacing)));
+  const auto here = static_cast<std::int64_t>(beam);
+  const std::int64_t first_of_segments =
+      std::max({previous.first_of_segment[beam], middle.first_of_segment[beam],
+                next.first_of_segment[beam]});
+  const std::int64_t end_of_segments = std::min(
+      {previous.end_of_segment[beam], middle.end_of_segment[beam], next.end_of_segment[beam]});
+  const std::int64_t begin = std::max(here - half, first_of_segments);
+  const std::int64_t end = std::min(here + half + 1, end_of_segments);
   if (end - begin < 2 * least_half_width) return {};
-  return {begin, end};
+  return {static_cast<std::size_t>(begin), static_cast<std::size_t>(end)};
 }
 
-double area_m2(const Lines& lines, std::size_t beam) {
+inline double area_m2(const Lines& lines, std::size_t beam) {
   const double range = lines.middle.ranges_m[beam];
   const Eigen::Vector3d& before = lines.previous.directions[beam];
   const Eigen::Vector3d& after = lines.next.directions[beam];

@@ -59,10 +59,12 @@ double base_line_m(const ScanLine& before, const ScanLine& line) {
   constexpr std::size_t samples = 32;
   std::array<double, samples> squares;
   std::size_t count = 0;
+  const Eigen::Vector3d of_first = line.first_origin - before.first_origin;
+  const Eigen::Vector3d per_beam = line.origin_step - before.origin_step;
   const std::size_t stride = (line.size() + samples - 1) / samples;
   for (std::size_t i = 0; i < line.size() && count < samples; i += stride) {
     if (!line.has_return(i)) continue;
-    const Eigen::Vector3d moved = line.origin(i) - before.origin(i) +
+    const Eigen::Vector3d moved = of_first + static_cast<double>(i) * per_beam +
                                   line.ranges_m[i] * (line.directions[i] - before.directions[i]);
     squares[count++] = square_across(moved, before, i);
   }

@@ -152,14 +152,13 @@ class ReturnLimits {
   double least_m_, most_m_;
 };
 
-/// Of three ranges side by side.
-bool is_veil(const float* r, const ReturnLimits& limits, double step_per_range) {
+/// Of three ranges side by side. The steps come first: few are large, which processors learn.
+inline bool is_veil(const float* r, const ReturnLimits& limits, double step_per_range) {
   const double before = r[-1], range = r[0], after = r[1];
-  const double nearer = range - before, further = after - range;
-  return nearer * further > 0.0 &&
-         std::abs(nearer) > step_per_range * std::min(before, range) &&
-         std::abs(further) > step_per_range * std::min(range, after) && limits.hold(r[-1]) &&
-         limits.hold(r[1]);
+  const double to_it = range - before, from_it = after - range;
+  return std::abs(to_it) > step_per_range * std::min(before, range) &&
+         std::abs(from_it) > step_per_range * std::min(range, after) && to_it * from_it > 0.0 &&
+         limits.hold(r[-1]) && limits.hold(r[1]);
 }
 
 /// Ranges of the returns, 0 elsewhere.
