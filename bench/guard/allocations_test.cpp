@@ -122,9 +122,9 @@ TEST(Allocations, StopFromBeamsToSurfels) {
   std::vector<Surfel> surfels;
   std::size_t made = 0;
   const auto counts = counts_of(standing_lines(), on_middle_lines(buffer, [&] {
-    estimate_surfels(buffer, ScanConfig{}, RibbonConfig{}, surfels);
-    made += surfels.size();
-  }));
+                                  estimate_surfels(buffer, ScanConfig{}, RibbonConfig{}, surfels);
+                                  made += surfels.size();
+                                }));
   ASSERT_GT(made, 10000u);
   EXPECT_LE(share_of_allocating(counts), kSeldom);
 }
@@ -156,8 +156,8 @@ TEST(Allocations, OfTheWholeModelDoNotGrow) {
   constexpr double most_per_line = 40.0;
   const std::vector<Line> lines = standing_lines();
   Modeler modeler(ModelerConfig{});
-  const auto counts = counts_of(
-      lines, [&](const Line& line) { modeler.add_scan_line(line.beams, line.poses); });
+  const auto counts =
+      counts_of(lines, [&](const Line& line) { modeler.add_scan_line(line.beams, line.poses); });
   ASSERT_GT(modeler.statistics().ribbons, 1000u);
   std::size_t sum = 0;
   for (const std::size_t count : counts) sum += count;

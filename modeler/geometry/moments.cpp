@@ -36,8 +36,8 @@ struct Characteristic {
     const double x = c.yy * c.zz - c.yz * c.yz, y = c.xx * c.zz - c.xz * c.xz,
                  z = c.xx * c.yy - c.xy * c.xy;
     minors = x + y + z;
-    determinant = c.xx * x + c.xy * (c.xz * c.yz - c.xy * c.zz) +
-                  c.xz * (c.xy * c.yz - c.xz * c.yy);
+    determinant =
+        c.xx * x + c.xy * (c.xz * c.yz - c.xy * c.zz) + c.xz * (c.xy * c.yz - c.xz * c.yy);
   }
 
   double trace, minors, determinant;
@@ -87,8 +87,8 @@ PlaneFit completed(const Moments& moments, const Covariance& c, double least_m2)
   const Eigen::Vector3d c_u = c * u, c_v = c * v;
   const double uu = u.dot(c_u), vv = v.dot(c_v), uv = u.dot(c_v);
   const double half = 0.5 * (uu - vv), length = std::sqrt(half * half + uv * uv);
-  Eigen::Vector2d larger = half >= 0.0 ? Eigen::Vector2d(half + length, uv)
-                                       : Eigen::Vector2d(uv, length - half);
+  Eigen::Vector2d larger =
+      half >= 0.0 ? Eigen::Vector2d(half + length, uv) : Eigen::Vector2d(uv, length - half);
   if (length == 0.0) larger = Eigen::Vector2d::UnitX();
   larger.normalize();
   PlaneFit fit{moments.mean(), {}, {}};
@@ -116,10 +116,9 @@ Eigen::Matrix3d Moments::covariance() const {
 double Moments::mean_square_distance(const Eigen::Vector3d& normal, double d_m) const {
   const double x = normal.x(), y = normal.y(), z = normal.z();
   const auto& s = sums_;
-  const double squares = x * (x * s[4] + 2.0 * (y * s[5] + z * s[6])) +
-                         y * (y * s[7] + 2.0 * z * s[8]) + z * z * s[9];
-  const double square =
-      squares + 2.0 * d_m * (x * s[1] + y * s[2] + z * s[3]) + d_m * d_m * s[0];
+  const double squares =
+      x * (x * s[4] + 2.0 * (y * s[5] + z * s[6])) + y * (y * s[7] + 2.0 * z * s[8]) + z * z * s[9];
+  const double square = squares + 2.0 * d_m * (x * s[1] + y * s[2] + z * s[3]) + d_m * d_m * s[0];
   return std::max(0.0, square / s[0]);
 }
 

@@ -48,9 +48,7 @@ class Moments {
   void spread(const Eigen::Vector3d& offset);
 
   double weight() const { return sums_[0]; }
-  Eigen::Vector3d mean() const {
-    return Eigen::Vector3d(sums_[1], sums_[2], sums_[3]) / sums_[0];
-  }
+  Eigen::Vector3d mean() const { return Eigen::Vector3d(sums_[1], sums_[2], sums_[3]) / sums_[0]; }
   /// Second moments about the mean, divided by the weight [m2].
   Eigen::Matrix3d covariance() const;
   /// The same without its lower half: xx, xy, xz, yy, yz, zz.

@@ -11,12 +11,13 @@ namespace {
 /// atan2(y, x) / 2 pi to 2e-6: Abramowitz and Stegun 4.4.49. The borders of cells need no more, and
 /// the library's function takes as long as the rest of a vote.
 double turn_of(double y, double x) {
-  const double least = std::min(std::abs(x), std::abs(y)), most = std::max(std::abs(x), std::abs(y));
+  const double least = std::min(std::abs(x), std::abs(y)),
+               most = std::max(std::abs(x), std::abs(y));
   const double ratio = most > 0.0 ? least / most : 0.0, square = ratio * ratio;
   double angle =
-      ratio * (0.9998660 +
-               square * (-0.3302995 +
-                         square * (0.1801410 + square * (-0.0851330 + square * 0.0208351))));
+      ratio *
+      (0.9998660 +
+       square * (-0.3302995 + square * (0.1801410 + square * (-0.0851330 + square * 0.0208351))));
   if (std::abs(y) > std::abs(x)) angle = M_PI_2 - angle;
   if (x < 0.0) angle = M_PI - angle;
   return (y < 0.0 ? -angle : angle) / (2.0 * M_PI);

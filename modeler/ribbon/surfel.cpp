@@ -9,6 +9,7 @@ namespace ribbon_mapper {
 namespace {
 
 constexpr std::int64_t least_half_width = 2;  // beams
+constexpr double most_half_width = 1e6;       // of beams that all lie on one spot
 
 /// The lines of a buffer, with what does not change from beam to beam.
 struct Lines {
@@ -25,9 +26,10 @@ struct Lines {
 Neighbourhood around(const Lines& lines, std::size_t beam, double half_length_m) {
   const auto& [previous, middle, next, beam_spacing] = lines;
   if (!previous.has_return(beam) || !middle.has_return(beam) || !next.has_return(beam)) return {};
+  const double spacing_m = middle.ranges_m[beam] * beam_spacing;
   const auto half = std::max<std::int64_t>(
       least_half_width,
-      static_cast<std::int64_t>(half_length_m / (middle.ranges_m[beam] * beam_spacing)));
+      static_cast<std::int64_t>(std::min(half_length_m / spacing_m, most_half_width)));
   const auto here = static_cast<std::int64_t>(beam);
   const std::int64_t first_of_segments =
       std::max({previous.first_of_segment[beam], middle.first_of_segment[beam],

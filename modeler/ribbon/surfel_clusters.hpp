@@ -44,8 +44,8 @@ class SurfelClusters {
 
   double least_cosine_, least_area_m2_;
   OrientationGrid grid_;
-  std::vector<Vote> votes_;    // not yet in a cluster of one orientation
-  std::vector<Vote> members_;  // of the present one
+  std::vector<Vote> votes_;          // not yet in a cluster of one orientation
+  std::vector<Vote> members_;        // of the present one
   std::vector<double> distances_m_;  // of the members
   DistanceIntervals intervals_;
   std::vector<int> cluster_;

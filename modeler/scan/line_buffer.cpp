@@ -55,7 +55,8 @@ bool LineBuffer::are_apart(const ScanLine& before, const ScanLine& line) const {
 }
 
 double base_line_m(const ScanLine& before, const ScanLine& line) {
-  if (before.size() != line.size() || line.size() < 2) return std::numeric_limits<double>::infinity();
+  if (before.size() != line.size() || line.size() < 2)
+    return std::numeric_limits<double>::infinity();
   constexpr std::size_t samples = 32;
   std::array<double, samples> squares;
   std::size_t count = 0;

@@ -169,8 +169,8 @@ void take_returns(const LaserBeams& beams, const ScanConfig& config, ScanLine& l
   const std::size_t size = line.size();
   for (std::size_t i = 0; i < size; ++i) {
     const bool inner = i > 0 && i + 1 < size;
-    const bool lost = !limits.hold(ranges_m[i]) ||
-                      (inner && is_veil(ranges_m + i, limits, veil_step));
+    const bool lost =
+        !limits.hold(ranges_m[i]) || (inner && is_veil(ranges_m + i, limits, veil_step));
     line.ranges_m[i] = lost ? 0.0F : ranges_m[i];
   }
 }
@@ -233,8 +233,9 @@ std::optional<std::string> defect_of(const LaserBeams& beams, const LinePoses& p
   if (beams.ranges_m.size() * std::abs(beams.angle_increment_rad) > 2.0 * M_PI + 0.1) {
     return "more ranges than angle_increment allows for one rotation";
   }
-  for (const Pose* pose : {&poses.T_odom_base_first, &poses.T_odom_base_last,
-                           &poses.T_base_laser_first, &poses.T_base_laser_last, &poses.T_map_base}) {
+  for (const Pose* pose :
+       {&poses.T_odom_base_first, &poses.T_odom_base_last, &poses.T_base_laser_first,
+        &poses.T_base_laser_last, &poses.T_map_base}) {
     if (!is_valid(*pose)) return "a pose is not finite or its rotation is not a rotation";
   }
   return std::nullopt;
