@@ -27,7 +27,7 @@ std::vector<Node> nodes_of(const Recording& tour, const ScanConfig& config) {
   for (std::size_t k = 0; k < nodes.size(); ++k) {
     place_beams(tour.lines[k].beams, tour.lines[k].poses, config, line);
     const Pose T_base_odom = line.T_odom_base.inverse(Eigen::Isometry);
-    const Eigen::Vector3d sensor = T_base_odom * line.origins[line.size() / 2];
+    const Eigen::Vector3d sensor = T_base_odom * line.origin(line.size() / 2);
     for (std::size_t i = 0; i < line.size(); ++i) {
       if (line.has_return(i)) {
         nodes[k].cloud.push_back(to_octomap(T_base_odom * line.points[i] - sensor));

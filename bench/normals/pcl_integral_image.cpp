@@ -22,7 +22,7 @@ struct Sample {
 /// In an optical frame, as this class expects: depth is z, and its tolerance grows with it.
 Sample converted(const ThreeLines& lines) {
   const ScanLine& middle = lines.buffer.middle();
-  const Eigen::Vector3d origin = middle.origins[middle.size() / 2];
+  const Eigen::Vector3d origin = middle.origin(middle.size() / 2);
   const Eigen::Quaterniond to_optical = Eigen::Quaterniond::FromTwoVectors(
       middle.directions[middle.size() / 2], Eigen::Vector3d::UnitZ());
   Sample sample;

@@ -31,7 +31,7 @@ pcl::PointXYZ to_pcl(const Eigen::Vector3d& point, const Eigen::Vector3d& origin
 
 Sample converted(const ThreeLines& lines) {
   Sample sample;
-  const Eigen::Vector3d origin = lines.buffer.middle().origins.front();
+  const Eigen::Vector3d origin = lines.buffer.middle().first_origin;
   std::vector<std::vector<int>> index;  // of each line's beams in `three`
   for (const ScanLine* line :
        {&lines.buffer.previous(), &lines.buffer.middle(), &lines.buffer.next()}) {

@@ -32,7 +32,7 @@ TourCloud cloud_of(const Recording& tour, const ScanConfig& config, Poses poses)
     for (std::size_t i = 0; i < line.size(); ++i) {
       if (!line.has_return(i)) continue;
       cloud.points.push_back((T * line.points[i]).cast<float>());
-      cloud.sensors.push_back((T * line.origins[i]).cast<float>());
+      cloud.sensors.push_back((T * line.origin(i)).cast<float>());
     }
   }
   return cloud;
@@ -53,7 +53,7 @@ std::vector<Sweep> sweeps_of(const Recording& tour, const ScanConfig& config, Po
     T_odom_image.linear() =
         Eigen::Quaterniond::FromTwoVectors(Eigen::Vector3d::UnitZ(), line.directions[middle])
             .toRotationMatrix();
-    T_odom_image.translation() = line.origins[middle];
+    T_odom_image.translation() = line.origin(middle);
     sweep.T_map_image = T_map_odom(centre, line, poses) * T_odom_image;
     const Pose T_image_map = sweep.T_map_image.inverse(Eigen::Isometry);
     for (std::size_t k = first; k < first + lines_per_sweep; ++k) {

@@ -4,6 +4,7 @@
 
 #include <Eigen/Core>
 #include <array>
+#include <optional>
 
 #include "modeler/geometry/pose.hpp"
 
@@ -17,42 +18,66 @@ class Moments {
 
   void add(const Eigen::Vector3d& point) {
     const double x = point.x(), y = point.y(), z = point.z();
-    const std::array<double, 10> one{1.0,   x,     y,     z,     x * x,
-                                     x * y, x * z, y * y, y * z, z * z};
-    for (std::size_t i = 0; i < 10; ++i) sums_[i] += one[i];
+    // One by one, so that a running sum stays in registers.
+    sums_[0] += 1.0;
+    sums_[1] += x, sums_[2] += y, sums_[3] += z;
+    sums_[4] += x * x, sums_[5] += x * y, sums_[6] += x * z;
+    sums_[7] += y * y, sums_[8] += y * z, sums_[9] += z * z;
   }
   Moments& operator+=(const Moments& other) {
-    for (std::size_t i = 0; i < 10; ++i) sums_[i] += other.sums_[i];
+    vector() += other.vector();
     return *this;
   }
   Moments& operator-=(const Moments& other) {
-    for (std::size_t i = 0; i < 10; ++i) sums_[i] -= other.sums_[i];
+    vector() -= other.vector();
     return *this;
   }
   Moments& operator*=(double weight) {
-    for (double& sum : sums_) sum *= weight;
+    vector() *= weight;
     return *this;
+  }
+  friend Moments operator+(const Moments& a, const Moments& b) {
+    Moments sum;
+    sum.vector() = a.vector() + b.vector();
+    return sum;
+  }
+  friend Moments operator-(const Moments& a, const Moments& b) {
+    Moments difference;
+    difference.vector() = a.vector() - b.vector();
+    return difference;
   }
   /// Every point becomes a pair at +-`offset` from it: what a line of points knows across itself.
   void spread(const Eigen::Vector3d& offset);
 
   double weight() const { return sums_[0]; }
-  Eigen::Vector3d mean() const {
-    return Eigen::Vector3d(sums_[1], sums_[2], sums_[3]) / sums_[0];
-  }
+  Eigen::Vector3d mean() const { return Eigen::Vector3d(sums_[1], sums_[2], sums_[3]) / sums_[0]; }
   /// Second moments about the mean, divided by the weight [m2].
   Eigen::Matrix3d covariance() const;
+  /// The same without its lower half: xx, xy, xz, yy, yz, zz.
+  std::array<double, 6> upper_covariance() const {
+    const double share = 1.0 / sums_[0];
+    const double x = share * sums_[1], y = share * sums_[2], z = share * sums_[3];
+    return {share * sums_[4] - x * x, share * sums_[5] - x * y, share * sums_[6] - x * z,
+            share * sums_[7] - y * y, share * sums_[8] - y * z, share * sums_[9] - z * z};
+  }
   /// Mean square of the signed distances n.p + d [m2].
   double mean_square_distance(const Eigen::Vector3d& normal, double d_m) const;
   /// The same points in another frame.
   Moments transformed(const Pose& T_target_source) const;
 
  private:
-  std::array<double, 10> sums_{};  // 1, x, y, z, xx, xy, xz, yy, yz, zz
+  // As Eigen sees them, two at a time.
+  using Vector = Eigen::Matrix<double, 10, 1>;
+  Eigen::Map<Vector, Eigen::Aligned16> vector() {
+    return Eigen::Map<Vector, Eigen::Aligned16>(sums_.data());
+  }
+  Eigen::Map<const Vector, Eigen::Aligned16> vector() const {
+    return Eigen::Map<const Vector, Eigen::Aligned16>(sums_.data());
+  }
+
+  alignas(16) std::array<double, 10> sums_{};  // 1, x, y, z, xx, xy, xz, yy, yz, zz
 };
 
-inline Moments operator+(Moments a, const Moments& b) { return a += b; }
-inline Moments operator-(Moments a, const Moments& b) { return a -= b; }
 inline Moments operator*(double weight, Moments moments) { return moments *= weight; }
 
 /// Least-squares plane through weighted points: principal component analysis (section 4.1).
@@ -68,5 +93,15 @@ struct PlaneFit {
 
 /// Needs at least three points; the normal of fewer, or of points on one line, is arbitrary.
 PlaneFit fit_plane(const Moments& moments);
+
+/// When points are flat enough for a normal.
+struct Flatness {
+  double most_variance_m2;   ///< across the plane
+  double least_width_ratio;  ///< the smaller extent's variance, in units of that across the plane
+};
+
+/// The normal of fit_plane(), for less than half the time of all three axes; none if the points are
+/// not flat.
+std::optional<Eigen::Vector3d> flat_normal(const Moments& moments, const Flatness& flatness);
 
 }  // namespace ribbon_mapper

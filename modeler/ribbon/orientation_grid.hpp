@@ -33,7 +33,7 @@ class OrientationGrid {
 
  private:
   std::vector<std::size_t> first_cell_;  // of each row, and the number of all cells at the end
-  double row_height_rad_;
+  double rows_per_turn_;
   std::vector<double> votes_;
   std::vector<Eigen::Vector3d> normals_;  // area-weighted sums
   std::vector<std::size_t> touched_;      // cells that may hold votes

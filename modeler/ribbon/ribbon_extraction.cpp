@@ -49,13 +49,13 @@ void for_each_stretch(const ScanLine& line, std::size_t begin, std::size_t run_e
 }  // namespace
 
 RibbonExtraction::RibbonExtraction(const ScanConfig& scan, const RibbonConfig& config)
-    : scan_(scan), config_(config), grid_(config.grid_cell_deg) {}
+    : scan_(scan), config_(config), clusters_(config) {}
 
 const std::vector<Ribbon>& RibbonExtraction::extract(const LineBuffer& buffer, PointStore& store) {
   const ScanLine& line = buffer.middle();
-  sensor_origin_ = line.origins[line.size() / 2];
+  sensor_origin_ = line.origin(line.size() / 2);
   estimate_surfels(buffer, scan_, config_, surfels_);
-  cluster_orientations();
+  clusters_.classify(surfels_, sensor_origin_);
   find_runs(line);
   ribbons_.clear();
   taken_.assign(line.size(), 0);
@@ -65,76 +65,24 @@ const std::vector<Ribbon>& RibbonExtraction::extract(const LineBuffer& buffer, P
   return ribbons_;
 }
 
-/// Peak by peak, the surfels around its normal become a cluster.
-void RibbonExtraction::cluster_orientations() {
-  cluster_.assign(surfels_.size(), no_cluster);
-  clusters_ = 0;
-  grid_.clear();
-  voted_for_.clear();
-  for (const Surfel& surfel : surfels_) {
-    voted_for_.push_back(grid_.vote(surfel.normal, surfel.area_m2));
-  }
-  const double least_cosine = std::cos(config_.cluster_angle_deg * degree);
-  for (;;) {
-    OrientationGrid::Peak peak = grid_.peak();
-    if (peak.area_m2 <= 1e-9) return;
-    double area_m2 = 0.0;
-    Eigen::Vector3d mean = peak.normal;
-    for (int pass = 0; pass < 2; ++pass) {  // the mean of all around it is better than the cell's
-      members_.clear();
-      area_m2 = 0.0;
-      Eigen::Vector3d sum = Eigen::Vector3d::Zero();
-      for (std::size_t i = 0; i < surfels_.size(); ++i) {
-        if (voted_for_[i] == withdrawn || surfels_[i].normal.dot(mean) < least_cosine) continue;
-        members_.push_back(i);
-        area_m2 += surfels_[i].area_m2;
-        sum += surfels_[i].area_m2 * surfels_[i].normal;
-      }
-      if (members_.empty()) return;
-      mean = sum.normalized();
-    }
-    for (const std::size_t i : members_) {
-      grid_.withdraw(voted_for_[i], surfels_[i].normal, surfels_[i].area_m2);
-      voted_for_[i] = withdrawn;
-    }
-    cluster_normal_ = mean;
-    if (area_m2 >= config_.least_cluster_area_m2) split_by_distance(members_);
-  }
-}
-
-/// The second step of the classification: one cluster for each distance from the sensor.
-void RibbonExtraction::split_by_distance(std::vector<std::size_t>& members) {
-  const auto distance = [this](std::size_t i) {
-    return cluster_normal_.dot(surfels_[i].point - sensor_origin_);
-  };
-  std::sort(members.begin(), members.end(), [&](std::size_t a, std::size_t b) {
-    const double da = distance(a), db = distance(b);
-    return da != db ? da < db : a < b;
-  });
-  for (std::size_t k = 0; k < members.size(); ++k) {
-    if (k == 0 || distance(members[k]) - distance(members[k - 1]) > config_.distance_gap_m) {
-      ++clusters_;
-    }
-    cluster_[members[k]] = clusters_ - 1;
-  }
-}
-
 /// Surfels of one cluster that follow each other on one segment of the line.
 void RibbonExtraction::find_runs(const ScanLine& line) {
   runs_.clear();
+  const std::vector<int>& cluster = clusters_.of_surfels();
   for (std::size_t i = 0; i < surfels_.size();) {
     Run run{surfels_[i].beam, surfels_[i].beam + 1u, surfels_[i].area_m2};
     std::size_t next = i + 1;
-    for (; next < surfels_.size() && cluster_[next] == cluster_[i]; ++next) {
+    for (; next < surfels_.size() && cluster[next] == cluster[i]; ++next) {
       if (surfels_[next].beam >= line.end_of_segment[run.begin]) break;
       run.end = surfels_[next].beam + 1u;
       run.area_m2 += surfels_[next].area_m2;
     }
-    if (cluster_[i] != no_cluster) runs_.push_back(run);
+    if (cluster[i] != SurfelClusters::none) runs_.push_back(run);
     i = next;
   }
-  std::stable_sort(runs_.begin(), runs_.end(),
-                   [](const Run& a, const Run& b) { return a.area_m2 > b.area_m2; });
+  std::sort(runs_.begin(), runs_.end(), [](const Run& a, const Run& b) {
+    return a.area_m2 != b.area_m2 ? a.area_m2 > b.area_m2 : a.begin < b.begin;
+  });
 }
 
 /// Takes in the points next to a run while they lie on its plane.
@@ -196,12 +144,9 @@ void RibbonExtraction::make_ribbon(const LineBuffer& buffer, const Run& run, Poi
   Moments moments = line.moments(core.begin, core.end);
   moments.spread(base_line_m * across);
   ribbon.spread = moments.transformed(T_base_odom);
-  double area_m2 = 0.0;
-  for (std::size_t beam = core.begin; beam < core.end; ++beam) {
-    taken_[beam] = 1;
-    area_m2 += std::min(config_.area_cap_m2, surfel_area_m2(buffer, beam));
-  }
-  ribbon.area_m2 = static_cast<float>(area_m2);
+  std::fill(taken_.begin() + core.begin, taken_.begin() + core.end, 1);
+  ribbon.area_m2 = static_cast<float>(
+      capped_area_m2(buffer, {core.begin, core.end}, config_.area_cap_m2));
   ribbon.samples = samples_of(line, core, plane, along, store);
   ribbons_.push_back(ribbon);
 }

@@ -4,12 +4,12 @@
 
 #include <vector>
 
-#include "modeler/ribbon/orientation_grid.hpp"
 #include "modeler/ribbon/packed_store.hpp"
 #include "modeler/ribbon/ribbon.hpp"
 #include "modeler/ribbon/sample_packer.hpp"
 #include "modeler/ribbon/stray_points.hpp"
 #include "modeler/ribbon/surfel.hpp"
+#include "modeler/ribbon/surfel_clusters.hpp"
 
 namespace ribbon_mapper {
 
@@ -33,15 +33,11 @@ class RibbonExtraction {
   StrayPoints strays(const LineBuffer& buffer, PointStore& store);
 
  private:
-  static constexpr int no_cluster = -1;
-  static constexpr auto withdrawn = static_cast<std::size_t>(-1);
   struct Run {
     std::size_t begin, end;  // beams of the middle line
     double area_m2;
   };
 
-  void cluster_orientations();
-  void split_by_distance(std::vector<std::size_t>& members);
   void find_runs(const ScanLine& line);
   void make_ribbon(const LineBuffer& buffer, const Run& run, PointStore& store);
   Run grow(const ScanLine& line, Run run, const PlaneFit& plane) const;
@@ -52,13 +48,8 @@ class RibbonExtraction {
 
   ScanConfig scan_;
   RibbonConfig config_;
-  OrientationGrid grid_;
+  SurfelClusters clusters_;
   std::vector<Surfel> surfels_;
-  std::vector<std::size_t> voted_for_;  // of each surfel, the cell
-  std::vector<int> cluster_;          // of each surfel
-  std::vector<std::size_t> members_;  // scratch
-  int clusters_ = 0;
-  Eigen::Vector3d cluster_normal_ = Eigen::Vector3d::UnitZ();
   Eigen::Vector3d sensor_origin_ = Eigen::Vector3d::Zero();
   std::vector<Run> runs_;
   std::vector<char> taken_;  // beams that belong to a ribbon

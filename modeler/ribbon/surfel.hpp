@@ -33,6 +33,9 @@ Neighbourhood neighbourhood_of(const LineBuffer& buffer, std::size_t beam, doubl
 /// reversals.
 double surfel_area_m2(const LineBuffer& buffer, std::size_t beam);
 
+/// Sum over beams, none of which counts for more than the cap [m2].
+double capped_area_m2(const LineBuffer& buffer, const Neighbourhood& beams, double cap_m2);
+
 /// Surfels of the middle line in the order of its beams, one for every few beams: neighbourhoods
 /// overlap by more than half. `surfels` is overwritten and keeps its capacity.
 void estimate_surfels(const LineBuffer& buffer, const ScanConfig& scan, const RibbonConfig& config,

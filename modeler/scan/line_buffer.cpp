@@ -9,10 +9,12 @@
 namespace ribbon_mapper {
 namespace {
 
-/// Normal of the plane that the beams next to `beam` sweep.
-Eigen::Vector3d across(const ScanLine& line, std::size_t beam) {
+/// Square of the part of `moved` that is normal to the plane that the beams next to `beam` sweep.
+double square_across(const Eigen::Vector3d& moved, const ScanLine& line, std::size_t beam) {
   const std::size_t neighbour = beam + 1 < line.size() ? beam + 1 : beam - 1;
-  return line.directions[beam].cross(line.directions[neighbour]).normalized();
+  const Eigen::Vector3d across = line.directions[beam].cross(line.directions[neighbour]);
+  const double part = moved.dot(across);
+  return part * part / across.squaredNorm();
 }
 
 }  // namespace
@@ -53,20 +55,23 @@ bool LineBuffer::are_apart(const ScanLine& before, const ScanLine& line) const {
 }
 
 double base_line_m(const ScanLine& before, const ScanLine& line) {
-  if (before.size() != line.size() || line.size() < 2) return std::numeric_limits<double>::infinity();
+  if (before.size() != line.size() || line.size() < 2)
+    return std::numeric_limits<double>::infinity();
   constexpr std::size_t samples = 32;
-  std::array<double, samples> distances;
+  std::array<double, samples> squares;
   std::size_t count = 0;
+  const Eigen::Vector3d of_first = line.first_origin - before.first_origin;
+  const Eigen::Vector3d per_beam = line.origin_step - before.origin_step;
   const std::size_t stride = (line.size() + samples - 1) / samples;
   for (std::size_t i = 0; i < line.size() && count < samples; i += stride) {
     if (!line.has_return(i)) continue;
-    const Eigen::Vector3d moved = line.origins[i] - before.origins[i] +
+    const Eigen::Vector3d moved = of_first + static_cast<double>(i) * per_beam +
                                   line.ranges_m[i] * (line.directions[i] - before.directions[i]);
-    distances[count++] = std::abs(moved.dot(across(before, i)));
+    squares[count++] = square_across(moved, before, i);
   }
   if (count == 0) return 0.0;
-  std::nth_element(distances.begin(), distances.begin() + count / 2, distances.begin() + count);
-  return distances[count / 2];
+  std::nth_element(squares.begin(), squares.begin() + count / 2, squares.begin() + count);
+  return std::sqrt(squares[count / 2]);
 }
 
 }  // namespace ribbon_mapper

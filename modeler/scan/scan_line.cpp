@@ -10,6 +10,9 @@
 namespace ribbon_mapper {
 namespace {
 
+/// Four numbers are two pairs to the processor, three are not.
+Eigen::Vector4d padded(const Eigen::Vector3d& v) { return {v.x(), v.y(), v.z(), 0.0}; }
+
 /// Motion of the laser from the first to the last beam, with the fraction s in -0.5 .. 0.5 about
 /// the middle. The rotation is developed to second order in s: for the 0.02 rad that a PR2's tilt
 /// turns within a line, this is exact to 1e-7 rad.
@@ -21,24 +24,30 @@ class LaserMotion {
     const Eigen::AngleAxisd turn(T_odom_laser_last.linear() *
                                  T_odom_laser_first.linear().transpose());
     const Eigen::Vector3d rotation = turn.angle() * turn.axis();
-    for (int axis = 0; axis < 2; ++axis) {
-      first_order_.col(axis) = rotation.cross(middle_.linear().col(axis));
-      second_order_.col(axis) = 0.5 * rotation.cross(first_order_.col(axis));
+    for (int i = 0; i < 2; ++i) {
+      const Eigen::Vector3d axis = middle_.linear().col(i), moved = rotation.cross(axis);
+      axes_[i] = {padded(axis), padded(moved), padded(0.5 * rotation.cross(moved))};
     }
   }
 
   Eigen::Vector3d origin(double s) const { return middle_.translation() + s * travel_; }
+  const Eigen::Vector3d& travel() const { return travel_; }
 
   /// `beam`: direction in the scan plane.
-  Eigen::Vector3d direction(double s, const Eigen::Vector2d& beam) const {
-    return middle_.linear().leftCols<2>() * beam +
-           s * (first_order_ * beam + s * (second_order_ * beam));
+  Eigen::Vector4d direction(double s, const Eigen::Vector2d& beam) const {
+    return beam.x() * axes_[0].at(s) + beam.y() * axes_[1].at(s);
   }
 
  private:
+  /// Of the scan plane, to second order.
+  struct Axis {
+    Eigen::Vector4d at_middle, first_order, second_order;
+    Eigen::Vector4d at(double s) const { return at_middle + s * (first_order + s * second_order); }
+  };
+
   Pose middle_;
   Eigen::Vector3d travel_;
-  Eigen::Matrix<double, 3, 2> first_order_, second_order_;
+  std::array<Axis, 2> axes_;
 };
 
 /// Directions in the scan plane of one beam after the other: each turned from the one before, and
@@ -70,8 +79,7 @@ class BeamFan {
 };
 
 void resize(ScanLine& line, std::size_t size) {
-  line.ranges_m.assign(size, 0.0F);
-  line.origins.resize(size);
+  line.ranges_m.resize(size);
   line.directions.resize(size);
   line.points.resize(size);
   line.first_of_segment.resize(size);
@@ -108,21 +116,93 @@ constexpr double degree = M_PI / 180.0;
 class RobotBody {
  public:
   RobotBody(const ScanLine& line, const ScanConfig& config)
-      : half_m_(config.body_half_size_m),
-        height_m_(half_m_ > 0.0 ? config.body_height_m : 0.0),
+      : half_m_(config.body_height_m > 0.0 ? config.body_half_size_m : 0.0),
+        height_m_(config.body_height_m),
         T_base_odom_(line.T_odom_base.inverse(Eigen::Isometry)) {}
 
   bool holds(const Eigen::Vector3d& point) const {
-    if (height_m_ <= 0.0) return false;
-    const Eigen::Vector3d in_base = T_base_odom_ * point;
-    return std::abs(in_base.x()) < half_m_ && std::abs(in_base.y()) < half_m_ &&
-           in_base.z() < height_m_;
+    return std::abs(in_base(0, point)) < half_m_ && std::abs(in_base(1, point)) < half_m_ &&
+           in_base(2, point) < height_m_;
   }
 
  private:
+  double in_base(int axis, const Eigen::Vector3d& point) const {
+    return T_base_odom_(axis, 0) * point.x() + T_base_odom_(axis, 1) * point.y() +
+           T_base_odom_(axis, 2) * point.z() + T_base_odom_(axis, 3);
+  }
+
   double half_m_, height_m_;
   Pose T_base_odom_;
 };
+
+/// Tells which ranges are returns.
+class ReturnLimits {
+ public:
+  ReturnLimits(const LaserBeams& beams, const ScanConfig& config)
+      : least_m_(std::max(beams.range_min_m, config.least_range_m)),
+        most_m_(std::min(beams.range_max_m, config.most_range_m)) {}
+
+  /// False for NaN; infinity counts as too far whatever the limits.
+  bool hold(float range_m) const {
+    return range_m >= least_m_ && range_m <= most_m_ &&
+           range_m <= std::numeric_limits<float>::max();
+  }
+
+ private:
+  double least_m_, most_m_;
+};
+
+/// Of three ranges side by side. The steps come first: few are large, which processors learn.
+inline bool is_veil(const float* r, const ReturnLimits& limits, double step_per_range) {
+  const double before = r[-1], range = r[0], after = r[1];
+  const double to_it = range - before, from_it = after - range;
+  return std::abs(to_it) > step_per_range * std::min(before, range) &&
+         std::abs(from_it) > step_per_range * std::min(range, after) && to_it * from_it > 0.0 &&
+         limits.hold(r[-1]) && limits.hold(r[1]);
+}
+
+/// Ranges of the returns, 0 elsewhere.
+void take_returns(const LaserBeams& beams, const ScanConfig& config, ScanLine& line) {
+  const ReturnLimits limits(beams, config);
+  const double veil_step = veil_step_per_range(beams, config);
+  const float* ranges_m = beams.ranges_m.data();
+  const std::size_t size = line.size();
+  for (std::size_t i = 0; i < size; ++i) {
+    const bool inner = i > 0 && i + 1 < size;
+    const bool lost =
+        !limits.hold(ranges_m[i]) || (inner && is_veil(ranges_m + i, limits, veil_step));
+    line.ranges_m[i] = lost ? 0.0F : ranges_m[i];
+  }
+}
+
+void place_returns(const LaserBeams& beams, const LaserMotion& motion, const ScanConfig& config,
+                   ScanLine& line) {
+  const RobotBody body(line, config);
+  const std::size_t size = line.size();
+  const double step = config.deskew && size > 1 ? 1.0 / (size - 1.0) : 0.0;
+  const double first = config.deskew ? -0.5 : 0.0;
+  line.first_origin = motion.origin(first);
+  line.origin_step = step * motion.travel();
+  const Eigen::Vector4d origin = padded(line.first_origin), to_next = padded(line.origin_step);
+  BeamFan fan(beams);
+  for (std::size_t i = 0; i < size; ++i) {
+    const auto beam = static_cast<double>(i);
+    const Eigen::Vector4d direction = motion.direction(first + beam * step, fan.next());
+    const Eigen::Vector4d point = origin + beam * to_next + line.ranges_m[i] * direction;
+    line.directions[i] = direction.head<3>();
+    line.points[i] = point.head<3>();
+    if (body.holds(line.points[i])) line.ranges_m[i] = 0.0F;
+  }
+}
+
+void sum_up(ScanLine& line) {
+  Moments sum;
+  for (std::size_t i = 0; i < line.size(); ++i) {
+    line.before[i] = sum;
+    if (line.has_return(i)) sum.add(line.points[i]);
+  }
+  line.before[line.size()] = sum;
+}
 
 }  // namespace
 
@@ -133,19 +213,12 @@ double veil_step_per_range(const LaserBeams& beams, const ScanConfig& config) {
 
 bool is_veil(const LaserBeams& beams, std::size_t beam, const ScanConfig& config,
              double step_per_range) {
-  if (beam == 0 || beam + 1 >= beams.ranges_m.size()) return false;
-  const std::array<double, 3> r{beams.ranges_m[beam - 1], beams.ranges_m[beam],
-                                beams.ranges_m[beam + 1]};
-  return (r[1] - r[0]) * (r[2] - r[1]) > 0.0 &&
-         std::abs(r[1] - r[0]) > step_per_range * std::min(r[0], r[1]) &&
-         std::abs(r[2] - r[1]) > step_per_range * std::min(r[1], r[2]) &&
-         is_return(beams.ranges_m[beam - 1], beams, config) &&
-         is_return(beams.ranges_m[beam + 1], beams, config);
+  return beam > 0 && beam + 1 < beams.ranges_m.size() &&
+         is_veil(beams.ranges_m.data() + beam, ReturnLimits(beams, config), step_per_range);
 }
 
 bool is_return(float range_m, const LaserBeams& beams, const ScanConfig& config) {
-  return std::isfinite(range_m) && range_m >= std::max(beams.range_min_m, config.least_range_m) &&
-         range_m <= std::min(beams.range_max_m, config.most_range_m);
+  return ReturnLimits(beams, config).hold(range_m);
 }
 
 std::optional<std::string> defect_of(const LaserBeams& beams, const LinePoses& poses) {
@@ -160,8 +233,9 @@ std::optional<std::string> defect_of(const LaserBeams& beams, const LinePoses& p
   if (beams.ranges_m.size() * std::abs(beams.angle_increment_rad) > 2.0 * M_PI + 0.1) {
     return "more ranges than angle_increment allows for one rotation";
   }
-  for (const Pose* pose : {&poses.T_odom_base_first, &poses.T_odom_base_last,
-                           &poses.T_base_laser_first, &poses.T_base_laser_last, &poses.T_map_base}) {
+  for (const Pose* pose :
+       {&poses.T_odom_base_first, &poses.T_odom_base_last, &poses.T_base_laser_first,
+        &poses.T_base_laser_last, &poses.T_map_base}) {
     if (!is_valid(*pose)) return "a pose is not finite or its rotation is not a rotation";
   }
   return std::nullopt;
@@ -177,28 +251,10 @@ void place_beams(const LaserBeams& beams, const LinePoses& poses, const ScanConf
   line.half_increment_sine = std::sin(0.5 * std::abs(beams.angle_increment_rad));
   line.angle_increment_rad = beams.angle_increment_rad;
   line.pooled_lines = 1;
-  const std::size_t size = beams.ranges_m.size();
-  resize(line, size);
-  const double step = size > 1 ? 1.0 / (size - 1.0) : 0.0;
-  const RobotBody body(line, config);
-  BeamFan fan(beams);
-  const double veil_step = veil_step_per_range(beams, config);
-  Moments sum;
-  for (std::size_t i = 0; i < size; ++i) {
-    const double s = config.deskew ? i * step - 0.5 : 0.0;
-    line.origins[i] = motion.origin(s);
-    line.directions[i] = motion.direction(s, fan.next());
-    line.before[i] = sum;
-    if (!is_return(beams.ranges_m[i], beams, config) ||
-        is_veil(beams, i, config, veil_step)) {
-      continue;
-    }
-    line.points[i] = line.origins[i] + beams.ranges_m[i] * line.directions[i];
-    if (body.holds(line.points[i])) continue;
-    line.ranges_m[i] = beams.ranges_m[i];
-    sum.add(line.points[i]);
-  }
-  line.before[size] = sum;
+  resize(line, beams.ranges_m.size());
+  take_returns(beams, config, line);
+  place_returns(beams, motion, config, line);
+  sum_up(line);
   find_segments(line, config);
 }
 

@@ -143,5 +143,62 @@ TEST(FitPlane, ItsNormalIsGoodToAMicroradian) {
   }
 }
 
+constexpr Flatness anything{1e9, 0.0};
+
+/// Extents of what a laser's three lines see: from far too thick for a normal to none at all.
+TEST(FlatNormal, IsTheIterativeSolversOverAllExtents) {
+  int seed = 100;
+  for (const double thickness_m : {0.0, 1e-4, 0.004, 0.012, 0.018}) {
+    for (const double base_line_m : {0.02, 0.05, 0.15}) {
+      for (const double distance_m : {0.5, 5.0, 60.0}) {
+        const Points points = cloud({0.15, base_line_m, thickness_m},
+                                    distance_m * Eigen::Vector3d(0.6, -0.7, 0.1), 40, ++seed);
+        const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> slow(slow_covariance(points));
+        const auto normal = flat_normal(moments_of(points), anything);
+        ASSERT_TRUE(normal);
+        EXPECT_NEAR(1.0, normal->norm(), 1e-12);
+        const double off = normal->cross(slow.eigenvectors().col(0)).norm();
+        const double variance = normal->dot(slow_covariance(points) * *normal);
+        EXPECT_NEAR(slow.eigenvalues()[0], variance, 1e-5 * variance + 1e-10);
+        if (slow.eigenvalues()[1] > 2.0 * slow.eigenvalues()[0]) {
+          EXPECT_LT(off, 2e-6) << thickness_m << " " << base_line_m << " " << distance_m;
+        }
+      }
+    }
+  }
+}
+
+TEST(FlatNormal, IsNoneForWhatIsThickOrNarrow) {
+  int flat = 0, count = 0;
+  for (int seed = 200; seed < 400; ++seed) {
+    const double thickness_m = 0.001 * (seed % 20), width_m = 0.001 * (seed % 37);
+    const Points points = cloud({0.3, width_m, thickness_m}, {5.0, -4.0, 1.0}, 60, seed);
+    const Eigen::Vector3d variances =
+        Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d>(slow_covariance(points)).eigenvalues();
+    const Flatness flatness{1e-4, 2.0};
+    const double near = 1e-12 + 1e-4 * variances[1];  // no bar is sharper than rounding
+    if (std::abs(variances[0] - flatness.most_variance_m2) < near ||
+        std::abs(variances[1] - 2.0 * variances[0]) < near) {
+      continue;
+    }
+    const bool expected =
+        variances[0] < flatness.most_variance_m2 && variances[1] > 2.0 * variances[0];
+    EXPECT_EQ(expected, flat_normal(moments_of(points), flatness).has_value()) << "seed " << seed;
+    flat += expected, ++count;
+  }
+  EXPECT_GT(flat, 30);
+  EXPECT_GT(count - flat, 30);
+}
+
+TEST(FlatNormal, OfWhatHasNoneIsNoneOrOfUnitLength) {
+  const Points spot(5, {1, 2, 3}), line{{0, 0, 0}, {1, 0, 0}, {2, 0, 0}},
+      ball{{1, 0, 0}, {-1, 0, 0}, {0, 1, 0}, {0, -1, 0}, {0, 0, 1}, {0, 0, -1}};
+  for (const Points& points : {spot, line, ball}) {
+    const auto normal = flat_normal(moments_of(points), anything);
+    EXPECT_NEAR(1.0, normal.value_or(Eigen::Vector3d::UnitX()).norm(), 1e-9);
+  }
+  EXPECT_FALSE(flat_normal(moments_of(ball), {1e9, 2.0}));
+}
+
 }  // namespace
 }  // namespace ribbon_mapper

@@ -61,7 +61,7 @@ TEST(PlaceBeams, EachAtItsOwnTime) {
     const double fraction = i / 720.0, time_s = fraction * scan_time_s;
     const Pose T_odom_laser = interpolate(first, last, fraction);
     EXPECT_LT((line.points[i] - end_of_beam(beams, i, T_odom_laser)).norm(), 5e-6);
-    EXPECT_LT((line.origins[i] - T_odom_laser.translation()).norm(), 1e-12);
+    EXPECT_LT((line.origin(i) - T_odom_laser.translation()).norm(), 1e-12);
     EXPECT_NEAR(1.0, line.directions[i].norm(), 1e-6);
     // Base and tilt do not turn about one axis, so the laser's own motion bends a little.
     const Pose T_odom_laser_true = T_odom_base_at(time_s) * T_base_laser_at(time_s);
