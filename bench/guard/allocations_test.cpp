@@ -129,31 +129,22 @@ TEST(Allocations, StopFromBeamsToSurfels) {
   EXPECT_LE(share_of_allocating(counts), kSeldom);
 }
 
-TEST(Allocations, OfRibbonsAreNoMoreThanOneForTheSamplesOfEach) {
+TEST(Allocations, StopFromBeamsToRibbons) {
   LineBuffer buffer(ScanConfig{}.range_sigma_m);
-  RibbonConfig config;
-  config.sample_length_m = 100.0;  // one sample for each, so that they do not grow
-  RibbonExtraction extraction(ScanConfig{}, config);
-  std::vector<std::size_t> beyond;
+  RibbonExtraction extraction(ScanConfig{}, RibbonConfig{});
+  PointStore store;  // takes room in large blocks
   std::size_t made = 0;
-  const auto extract = on_middle_lines(buffer, [&] { made += extraction.extract(buffer).size(); });
-  const std::vector<Line> lines = standing_lines();
-  beyond.reserve(lines.size());
-  counts_of(lines, [&](const Line& line) {
-    const std::size_t before = allocations, made_before = made;
-    extract(line);
-    const std::size_t count = allocations - before, ribbons = made - made_before;
-    beyond.push_back(count > ribbons ? count - ribbons : 0);
-  });
+  const auto counts = counts_of(standing_lines(), on_middle_lines(buffer, [&] {
+                                  made += extraction.extract(buffer, store).size();
+                                  extraction.strays(buffer, store);
+                                }));
   ASSERT_GT(made, 1000u);
-  beyond.erase(beyond.begin(), beyond.begin() + static_cast<std::ptrdiff_t>(lines.size() / 2));
-  EXPECT_LE(share_of_allocating(beyond), kSeldom);
+  EXPECT_LE(share_of_allocating(counts), kSeldom);
 }
 
-// Samples, stray points and the look-up of planes still allocate for each ribbon. When they do not,
-// what is left is that the model's storage is enlarged now and then: a mean below 0.1.
-TEST(Allocations, OfTheWholeModelDoNotGrow) {
-  constexpr double most_per_line = 40.0;
+// The model itself grows: its storage is enlarged now and then, in blocks or by a part of it. A new
+// hypothesis, where noise makes one, takes a list of its ribbons and of the places that it touches.
+TEST(Allocations, OfTheWholeModelAreThoseOfItsGrowth) {
   const std::vector<Line> lines = standing_lines();
   Modeler modeler(ModelerConfig{});
   const auto counts =
@@ -161,7 +152,10 @@ TEST(Allocations, OfTheWholeModelDoNotGrow) {
   ASSERT_GT(modeler.statistics().ribbons, 1000u);
   std::size_t sum = 0;
   for (const std::size_t count : counts) sum += count;
-  EXPECT_LT(static_cast<double>(sum), most_per_line * static_cast<double>(counts.size()));
+  const double mean = static_cast<double>(sum) / static_cast<double>(counts.size());
+  std::printf("allocations per line: mean %.2f, %.0f %% of lines allocate\n", mean,
+              100.0 * share_of_allocating(counts));
+  EXPECT_LT(mean, 1.0);
 }
 
 }  // namespace

@@ -25,6 +25,7 @@ void Hypothesis::add(const PosedRibbon& ribbon, const Member& member) {
   moments_ += (weight / ribbon.moments.weight()) * ribbon.moments;
   side_ += weight * ribbon.normal;
   points_ += ribbon.moments.weight();
+  if (members_.empty()) members_.reserve(4);
   members_.push_back(member);
   refit();
 }

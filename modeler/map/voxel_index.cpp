@@ -53,6 +53,7 @@ void VoxelIndex::enter(std::uint32_t slot, const std::vector<std::uint32_t>& vox
     entries_.push_back({{}, static_cast<std::uint32_t>(entries_.size()), 0});
   }
   std::vector<std::uint32_t>& touched = entries_[slot].touched;
+  if (touched.empty()) touched.reserve(4);
   for (const std::uint32_t voxel : voxels) {
     const auto place = std::lower_bound(touched.begin(), touched.end(), voxel);
     if (place != touched.end() && *place == voxel) continue;
