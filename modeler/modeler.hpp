@@ -51,7 +51,8 @@ class Modeler {
   /// went as its odometry says, the drift in between is interpolated in SE(3); where that leaves
   /// ribbons in doubt (a pose every metre, not at every line), lines are registered against the
   /// planes of those that are not, see registered_poses(). Before the first and after the last
-  /// corrected pose, the nearest change holds. Each revision replaces the one before: changes are
+  /// corrected pose, the nearest change holds, and the lines of up to one such gap are registered
+  /// from that end. Each revision replaces the one before: changes are
   /// always measured from the poses that lines came with.
   /// Takes about 0.1 s for each 100 s of recording, ten times that if lines must be registered.
   /// Later lines: see CorrectionConfig::poses_follow.

@@ -31,9 +31,10 @@ struct CorrectedLines {
 /// The lines before the first and after the last corrected pose are registered from that one end,
 /// unless there are more than the longest bridge has.
 ///
-/// The result is empty if there is nothing to register: corrected poses are nearly as dense as the
-/// lines (at most three in between, as a ribbon is made of), there is but one, or the odometry is
-/// good enough to be believed between them.
+/// A bridge is registered if it has more than three lines (a ribbon is made of three) and if by the
+/// odometry's error ribbons may lie further off (one sigma) than what a ribbon itself can tell, see
+/// shared_part_of_sigma. The result is empty if there is none: corrected poses are nearly as dense as
+/// the lines, there is but one, or the odometry is good enough to be believed between them.
 std::vector<StampedPose> registered_poses(const CorrectedLines& lines, const PlaneMapConfig& config,
                                           double range_sigma_m);
 

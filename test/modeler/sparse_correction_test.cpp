@@ -17,17 +17,22 @@ using namespace mini_world;
 
 constexpr double duration_s = 15.0;
 
-/// A random walk of the heading and the position: 2 degrees and 2 cm in a second.
-PoseByTime random_walk(unsigned seed) {
+/// A random walk of the heading and the position: 2 degrees and 2 cm in a second; of height, roll
+/// and pitch: that times `spatial`.
+PoseByTime random_walk(unsigned seed, double spatial) {
   constexpr double step_s = 0.01;
   std::mt19937 random(seed);
-  std::normal_distribution<double> turn(0.0, 0.035 * std::sqrt(step_s));
-  std::normal_distribution<double> slip(0.0, 0.02 * std::sqrt(step_s));
+  std::normal_distribution<double> normal(0.0, std::sqrt(step_s));
   std::vector<Pose> drifts{Pose::Identity()};
   for (int i = 0; i <= duration_s / step_s + 2; ++i) {
+    Eigen::Vector3d slip_m, turn_rad;
+    for (double& x : slip_m) x = 0.02 * normal(random);
+    for (double& x : turn_rad) x = 0.035 * normal(random);
+    slip_m.z() *= spatial, turn_rad.head<2>() *= spatial;
+    const Pose error =
+        Eigen::Translation3d(slip_m) * Eigen::AngleAxisd(turn_rad.norm(), turn_rad.normalized());
     // Errors are made where the robot is.
     const Pose there = around_the_middle(i * step_s);
-    const Pose error = planar_pose(slip(random), slip(random), turn(random));
     drifts.push_back(drifts.back() * there * error * there.inverse(Eigen::Isometry));
   }
   return [drifts](double time_s) {
@@ -37,8 +42,9 @@ PoseByTime random_walk(unsigned seed) {
   };
 }
 
-Lines drifting_tour(unsigned seed = 5) {
-  return drive(room(), {around_the_middle, to_and_fro, random_walk(seed)}, 0.0, duration_s);
+Lines drifting_tour(unsigned seed = 5, double spatial = 0.0) {
+  return drive(room(), {around_the_middle, to_and_fro, random_walk(seed, spatial)}, 0.0,
+               duration_s);
 }
 
 constexpr std::size_t each_two_seconds = 80;
@@ -53,19 +59,30 @@ double largest_yaw_error_deg(const Modeler& modeler) {
   return largest;
 }
 
+void expect_model_of_dense_poses(const Lines& lines) {
+  Modeler sparse = model_of(lines), dense = model_of(lines);
+  sparse.correct(true_trajectory(lines, each_two_seconds));
+  dense.correct(true_trajectory(lines));
+  EXPECT_LT(largest_yaw_error_deg(sparse), 1.0);
+  const auto a = anonymous(sparse.merged_planes()), b = anonymous(dense.merged_planes());
+  ASSERT_EQ(a.size(), b.size());
+  for (std::size_t i = 0; i < a.size(); ++i) {
+    EXPECT_GT(a[i].normal.dot(b[i].normal), std::cos(0.2 * M_PI / 180.0));
+    EXPECT_NEAR(0.0, a[i].normal.dot(b[i].centroid) + a[i].d_m, 0.005);
+  }
+}
+
 TEST(SparseCorrection, GivesTheModelOfADenseOne) {
   for (const unsigned seed : {5U, 6U, 7U}) {
-    const Lines lines = drifting_tour(seed);
-    Modeler sparse = model_of(lines), dense = model_of(lines);
-    sparse.correct(true_trajectory(lines, each_two_seconds));
-    dense.correct(true_trajectory(lines));
-    EXPECT_LT(largest_yaw_error_deg(sparse), 1.0);
-    const auto a = anonymous(sparse.merged_planes()), b = anonymous(dense.merged_planes());
-    ASSERT_EQ(a.size(), b.size()) << "seed " << seed;
-    for (std::size_t i = 0; i < a.size(); ++i) {
-      EXPECT_GT(a[i].normal.dot(b[i].normal), std::cos(0.2 * M_PI / 180.0));
-      EXPECT_NEAR(0.0, a[i].normal.dot(b[i].centroid) + a[i].d_m, 0.005);
-    }
+    SCOPED_TRACE(seed);
+    expect_model_of_dense_poses(drifting_tour(seed));
+  }
+}
+
+TEST(SparseCorrection, AlsoWhereTheOdometryLeavesThePlane) {
+  for (const unsigned seed : {5U, 6U}) {
+    SCOPED_TRACE(seed);
+    expect_model_of_dense_poses(drifting_tour(seed, 0.5));
   }
 }
 
@@ -126,7 +143,7 @@ TEST(SparseCorrection, WithNothingToSeeTheOdometryHolds) {
   World world;  // the floor alone: it does not say where the robot is, nor how it is turned
   world.push_back(room()[4]);
   const Lines lines =
-      drive(world, {around_the_middle, to_and_fro, random_walk(5)}, 0.0, duration_s);
+      drive(world, {around_the_middle, to_and_fro, random_walk(5, 0.0)}, 0.0, duration_s);
   Modeler modeler = model_of(lines);
   modeler.correct(true_trajectory(lines, each_two_seconds));
   EXPECT_LT(largest_yaw_error_deg(modeler), 15.0);
