@@ -52,8 +52,8 @@ struct Modeler::State {
     const std::vector<Ribbon>& found = extraction.extract(buffer, points);
     trajectory.add({{middle.stamp, middle.T_map_base}, middle.T_odom_base});
     const auto pose = static_cast<std::uint32_t>(trajectory.size() - 1);
-    const Pose T_world_base = trajectory.T_map_base(0).inverse(Eigen::Isometry) *
-                              trajectory.T_map_base(pose);
+    const Pose T_world_base =
+        trajectory.T_map_base(0).inverse(Eigen::Isometry) * trajectory.T_map_base(pose);
     grow_sparingly(strays);
     strays.push_back(extraction.strays(buffer, points));
     strays.back().pose = pose;
@@ -70,9 +70,8 @@ struct Modeler::State {
   void register_lines() {
     const std::vector<RecordedPose> recorded = trajectory.recorded();
     const std::vector<StampedPose> poses = trajectory.poses();
-    const std::vector<StampedPose> registered =
-        registered_poses({ribbons, recorded, trajectory.corrected(), poses}, config.map,
-                         config.scan.range_sigma_m);
+    const std::vector<StampedPose> registered = registered_poses(
+        {ribbons, recorded, trajectory.corrected(), poses}, config.map, config.scan.range_sigma_m);
     if (!registered.empty()) trajectory.refine(registered);
   }
 
@@ -131,11 +130,16 @@ struct Modeler::State {
 
 const char* to_string(LineResult result) {
   switch (result) {
-    case LineResult::modelled: return "modelled";
-    case LineResult::too_close: return "too close";
-    case LineResult::no_returns: return "no returns";
-    case LineResult::malformed: return "malformed";
-    case LineResult::out_of_order: return "out of order";
+    case LineResult::modelled:
+      return "modelled";
+    case LineResult::too_close:
+      return "too close";
+    case LineResult::no_returns:
+      return "no returns";
+    case LineResult::malformed:
+      return "malformed";
+    case LineResult::out_of_order:
+      return "out of order";
   }
   return "unknown";
 }

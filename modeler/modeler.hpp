@@ -7,25 +7,25 @@
 
 #include "modeler/geometry/pose.hpp"
 #include "modeler/map/plane.hpp"
-#include "modeler/scan/laser_beams.hpp"
 #include "modeler/modeler_config.hpp"
 #include "modeler/ribbon/ribbon.hpp"
+#include "modeler/scan/laser_beams.hpp"
 
 namespace ribbon_mapper {
 
 /// What became of a scan line.
 enum class LineResult {
-  modelled,         ///< it entered the buffer, ribbons of the line before it are in the model
-  too_close,        ///< it has hardly moved since the line before it: it would add noise only
-  no_returns,       ///< not a single valid range
-  malformed,        ///< wrong length, or angles, times or poses that are not finite
-  out_of_order,     ///< stamped before the line before it
+  modelled,      ///< it entered the buffer, ribbons of the line before it are in the model
+  too_close,     ///< it has hardly moved since the line before it: it would add noise only
+  no_returns,    ///< not a single valid range
+  malformed,     ///< wrong length, or angles, times or poses that are not finite
+  out_of_order,  ///< stamped before the line before it
 };
 
 const char* to_string(LineResult result);
 
 struct ModelStatistics {
-  std::size_t lines = 0;    ///< given to add_scan_line()
+  std::size_t lines = 0;  ///< given to add_scan_line()
   std::size_t ribbons = 0;
   std::size_t revision = 0;  ///< number of corrections applied
 };
@@ -43,7 +43,8 @@ class Modeler {
   Modeler& operator=(Modeler&&) noexcept;
 
   /// Sections 4.1 to 4.3 of the paper: buffer, surfels, ribbons, association. Never throws on bad
-  /// data: the result says what became of the line.
+  /// data: the result says what became of the line. When the model has PlaneMapConfig::most_ribbons,
+  /// an eighth of them is left out, where they are densest, and the model evaluated again.
   LineResult add_scan_line(const LaserBeams& beams, const LinePoses& poses);
 
   /// Section 4.4: takes over a corrected trajectory (base_footprint in map, stamps strictly
@@ -52,8 +53,8 @@ class Modeler {
   /// ribbons in doubt (a pose every metre, not at every line), lines are registered against the
   /// planes of those that are not, see registered_poses(). Before the first and after the last
   /// corrected pose, the nearest change holds, and the lines of up to one such gap are registered
-  /// from that end. Each revision replaces the one before: changes are
-  /// always measured from the poses that lines came with.
+  /// from that end. Each revision replaces the one before: changes are always measured from the
+  /// poses that lines came with.
   /// Takes about 0.1 s for each 100 s of recording, ten times that if lines must be registered.
   /// Later lines: see CorrectionConfig::poses_follow.
   /// Throws std::invalid_argument if the trajectory is empty, out of order, not finite, or does
@@ -69,7 +70,7 @@ class Modeler {
   std::vector<Plane> merged_planes() const;
 
   /// Acquisition poses as they are now (corrected if there was a correction), one per line in
-  /// the model, stamps strictly increasing.
+  /// the model, stamps strictly increasing. A line of which no ribbon was kept has left it.
   std::vector<StampedPose> trajectory() const;
 
   /// All ribbons in the order of their lines and beams, each in the frame of its acquisition pose,

@@ -16,9 +16,11 @@ RibbonFloor::RibbonFloor(const Modeler& modeler) {
     ribbon.samples.for_each([&](float along_m, float height_m, std::uint32_t) {
       sample_points_.push_back(here.point(along_m, height_m).cast<float>());
     });
-    sources_.push_back({{w, sum.x(), sum.y(), sum.z(), m(0, 0), m(0, 1), m(0, 2), m(1, 1), m(1, 2),
-                         m(2, 2)},
-                        ribbon.pose, first, static_cast<std::uint32_t>(sample_points_.size())});
+    sources_.push_back(
+        {{w, sum.x(), sum.y(), sum.z(), m(0, 0), m(0, 1), m(0, 2), m(1, 1), m(1, 2), m(2, 2)},
+         ribbon.pose,
+         first,
+         static_cast<std::uint32_t>(sample_points_.size())});
   }
   moved_sums_.resize(sources_.size());
   moved_points_.resize(sample_points_.size());

@@ -1,11 +1,11 @@
 // SPDX-FileCopyrightText: 2026 ribbon_mapper authors
 // SPDX-License-Identifier: BSD-3-Clause
+#include <tsl/robin_map.h>
+
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
 #include <numeric>
-
-#include <tsl/robin_map.h>
 
 #include "modeler/map/cell_grid.hpp"
 #include "modeler/map/grid_keys.hpp"

@@ -53,14 +53,13 @@ CellGrid::Tile& CellGrid::tile_at(int column, int row) {
 /// another cell: the ribbon is as good as parallel to the plane.
 void CellGrid::add(const PosedRibbon& ribbon) {
   const RibbonSamples& samples = ribbon.ribbon->samples;
-  const Eigen::Vector3d start =
-      to_grid_ * ribbon.point(samples.start_m, 0.0F) + grid_shift_;
+  const Eigen::Vector3d start = to_grid_ * ribbon.point(samples.start_m, 0.0F) + grid_shift_;
   const int u0 = floor_to_int(start.x()), v0 = floor_to_int(start.y());
   const Eigen::Vector3f first = (start - Eigen::Vector3d(u0, v0, 0.0)).cast<float>();
   const Eigen::Vector3f step =
       (to_grid_ * (RibbonSamples::along_step_m * ribbon.along)).cast<float>();
-  const auto height_step = static_cast<float>(
-      to_grid_.row(2).dot(ribbon.normal) * samples.height_step_m);
+  const auto height_step =
+      static_cast<float>(to_grid_.row(2).dot(ribbon.normal) * samples.height_step_m);
   int tile_column = 0, tile_row = 0;
   Sums* tile = nullptr;
   constexpr int mask = tile_side - 1;

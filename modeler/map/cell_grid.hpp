@@ -2,12 +2,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <tsl/robin_map.h>
+
 #include <Eigen/Core>
 #include <cstdint>
 #include <memory>
 #include <vector>
-
-#include <tsl/robin_map.h>
 
 #include "modeler/map/grid_keys.hpp"
 #include "modeler/map/plane.hpp"
@@ -43,7 +43,7 @@ class CellGrid {
   Tile& tile_at(int column, int row);
   Counts counts_around(const Tile& tile) const;
 
-  Eigen::Matrix3d to_grid_;     // rows: axis_u, axis_v in cells; normal in metres
+  Eigen::Matrix3d to_grid_;  // rows: axis_u, axis_v in cells; normal in metres
   Eigen::Vector3d grid_shift_;
   tsl::robin_map<std::uint64_t, std::unique_ptr<Tile>, KeyHash> tiles_;
   Tile* last_ = nullptr;

@@ -17,8 +17,8 @@ constexpr std::uint32_t least_points = 4;  // of a well-seen cell
 
 using Matrix6d = Eigen::Matrix<double, 6, 6>;
 
-/// Sums for the fit of the heights h(u, v) = c0 + c1 u + c2 v + (c3 u^2 + 2 c4 u v + c5 v^2) / 2: the
-/// normal equations hold few products of powers, each of them several times.
+/// Sums for the fit of the heights h(u, v) = c0 + c1 u + c2 v + (c3 u^2 + 2 c4 u v + c5 v^2) / 2:
+/// the normal equations hold few products of powers, each of them several times.
 struct QuadricSums {
   double powers[5][5] = {};   // of u and v, up to four together
   double heights[3][3] = {};  // times u and v, up to two together

@@ -10,9 +10,9 @@
 
 namespace ribbon_mapper {
 
-/// All that a model is made of: the ribbons, the points that belong to none, and the poses that they
-/// were acquired from. The model is evaluated in a world that is fixed to the first acquisition
-/// pose, so a trajectory that is moved as a whole moves every plane by just that.
+/// All that a model is made of: the ribbons, the points that belong to none, and the poses that
+/// they were acquired from. The model is evaluated in a world that is fixed to the first
+/// acquisition pose, so a trajectory that is moved as a whole moves every plane by just that.
 class Evidence {
  public:
   Evidence(const std::vector<Ribbon>& ribbons, const std::vector<StrayPoints>& strays,

@@ -16,8 +16,8 @@ class Footprint {
  public:
   Footprint(const Plane& plane, double reach_m);
 
-  /// Within `tolerance_m` of the plane and, in it, within the reach of a cell; true for no point that
-  /// is further than twice the reach from all of them along an axis.
+  /// Within `tolerance_m` of the plane and, in it, within the reach of a cell; true for no point
+  /// that is further than twice the reach from all of them along an axis.
   bool holds(const Eigen::Vector3d& point, double tolerance_m) const;
 
   const Plane& plane() const { return *plane_; }

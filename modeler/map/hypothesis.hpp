@@ -64,7 +64,8 @@ double least_cosine(const AssociationGates& gates);
 
 /// Probability that a ribbon belongs to a plane, 0 outside of the gates (section 4.3). The
 /// distance is taken at the ribbon's centroid.
-double membership(const PosedRibbon& ribbon, const Hypothesis& plane, const AssociationGates& gates);
+double membership(const PosedRibbon& ribbon, const Hypothesis& plane,
+                  const AssociationGates& gates);
 
 /// True if two hypotheses are one plane within the gates: same side, same direction, and the points
 /// of the smaller one on the plane of the larger one.

@@ -29,8 +29,8 @@ int component_of(const PosedRibbon& ribbon, const Plane& plane,
 }
 
 /// Noise cannot have mixed two planes that lie closer together than the gate if there is a gap
-/// between them: what is left is an error of the poses (a third of the gate), or of the larger one's
-/// slope, which grows with the way.
+/// between them: what is left is an error of the poses (a third of the gate), or of the larger
+/// one's slope, which grows with the way.
 bool are_level(const Hypothesis& larger, const Hypothesis& smaller, const AssociationGates& gates) {
   const Eigen::Vector3d way = smaller.fit().mean - larger.fit().mean;
   const double error_m = larger.tilt_sigma(way.normalized()) * way.norm();

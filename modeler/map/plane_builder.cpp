@@ -23,8 +23,8 @@ bool is_promising(double area_m2, const Hypothesis& hypothesis, const Evidence& 
   }
   double most_m2 = 0.0;
   for (const Member& member : hypothesis.members()) {
-    most_m2 += evidence.source(member.ribbon).samples.size * config.cell_size_m *
-               config.cell_size_m;
+    most_m2 +=
+        evidence.source(member.ribbon).samples.size * config.cell_size_m * config.cell_size_m;
     if (most_m2 >= area_m2) return true;
   }
   return false;

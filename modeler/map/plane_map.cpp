@@ -149,8 +149,8 @@ void PlaneMap::take_ids_from(const PlaneMap& before,
   for (std::uint32_t slot = 0; slot < hypotheses_.size(); ++slot) {
     std::map<std::int64_t, std::size_t> ribbons;
     for (const Member& member : hypotheses_[slot].members()) {
-      const auto found = id_before.find(index_before.empty() ? member.ribbon
-                                                             : index_before[member.ribbon]);
+      const auto found =
+          id_before.find(index_before.empty() ? member.ribbon : index_before[member.ribbon]);
       if (found != id_before.end()) ++ribbons[found->second];
     }
     for (const auto& [id, count] : ribbons) shares.push_back({count, id, slot});

@@ -26,9 +26,9 @@ class PlaneMap {
   /// The hypotheses with all that are one plane within the gates merged, by id.
   std::vector<Hypothesis> merged_hypotheses() const;
 
-  /// For a map of the same ribbons evaluated again: a hypothesis takes the id of the one in `before`
-  /// with which it shares the most ribbons, as far as that is still free.
-  /// `index_before`: of each ribbon, if they are numbered anew.
+  /// For a map of the same ribbons evaluated again: a hypothesis takes the id of the one in
+  /// `before` with which it shares the most ribbons, as far as that is still free. `index_before`:
+  /// of each ribbon, if they are numbered anew.
   void take_ids_from(const PlaneMap& before, const std::vector<std::uint32_t>& index_before = {});
   std::int64_t next_id() const { return next_id_; }
   const AssociationGates& gates() const { return gates_; }
@@ -52,9 +52,9 @@ class PlaneMap {
   float least_cosine_, most_distance_m_;  // of a Side; the margins are far above rounding
   VoxelIndex index_;
   std::int64_t next_id_;
-  std::vector<Hypothesis> hypotheses_;  // by slot; without members: merged into another one
-  std::vector<Side> sides_;             // by slot
-  std::vector<std::uint32_t> voxels_;   // scratch
+  std::vector<Hypothesis> hypotheses_;        // by slot; without members: merged into another one
+  std::vector<Side> sides_;                   // by slot
+  std::vector<std::uint32_t> voxels_;         // scratch
   std::vector<std::uint32_t> near_, others_;  // scratch
 };
 

@@ -4,7 +4,8 @@
 
 namespace ribbon_mapper {
 
-/// Within these a ribbon may belong to a plane (section 4.3): two sigma of what sensor and poses do.
+/// Within these a ribbon may belong to a plane (section 4.3): two sigma of what sensor and poses
+/// do.
 struct AssociationGates {
   double angle_deg;   ///< between the ribbon and the plane
   double distance_m;  ///< of the ribbon's centroid from the plane
@@ -26,9 +27,10 @@ struct PlaneMapConfig {
   /// Gaps of at most this are those between scan lines [m].
   double stripe_gap_m = 0.3;
 
-  /// A model never has more ribbons than this (a ribbon with all that it brings takes 400 to 500
-  /// bytes; 0: no limit). When it is reached, an eighth of them is left out, from where most see the
-  /// same: the error of a plane there grows as the root of what its ribbons decreased by.
+  /// After each line, a model has no more ribbons than this (0: no limit); a ribbon with all that it
+  /// brings takes 400 to 500 bytes. When it is reached, an eighth of them is left out, from where
+  /// most see the same: the error of a plane there grows as the root of what its ribbons decreased
+  /// by.
   int most_ribbons = 1'000'000;
 
   /// Side of the cells of a plane's grid [m].

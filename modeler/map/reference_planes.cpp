@@ -68,7 +68,8 @@ void ReferencePlanes::enter(std::uint32_t slot, const Hypothesis& hypothesis,
 
 void ReferencePlanes::find_near(const PosedRibbon& ribbon, Sight& sight) {
   index_.voxels_of(ribbon, voxels_);
-  index_.near(voxels_, [](std::uint32_t) { return true; }, sight.planes);
+  index_.near(
+      voxels_, [](std::uint32_t) { return true; }, sight.planes);
 }
 
 bool ReferencePlanes::fits_across(const Sight& sight, const Eigen::Vector3d& normal,

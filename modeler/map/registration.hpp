@@ -33,8 +33,8 @@ struct CorrectedLines {
 ///
 /// A bridge is registered if it has more than three lines (a ribbon is made of three) and if by the
 /// odometry's error ribbons may lie further off (one sigma) than what a ribbon itself can tell, see
-/// shared_part_of_sigma. The result is empty if there is none: corrected poses are nearly as dense as
-/// the lines, there is but one, or the odometry is good enough to be believed between them.
+/// shared_part_of_sigma. The result is empty if there is none: corrected poses are nearly as dense
+/// as the lines, there is but one, or the odometry is good enough to be believed between them.
 std::vector<StampedPose> registered_poses(const CorrectedLines& lines, const PlaneMapConfig& config,
                                           double range_sigma_m);
 

@@ -2,12 +2,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "modeler/map/surface.hpp"
 
+#include <tsl/robin_map.h>
+
 #include <algorithm>
 #include <cmath>
 #include <map>
 #include <optional>
-
-#include <tsl/robin_map.h>
 
 #include "modeler/map/footprint.hpp"
 #include "modeler/map/voxel_key.hpp"

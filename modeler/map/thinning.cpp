@@ -2,12 +2,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "modeler/map/thinning.hpp"
 
+#include <tsl/robin_map.h>
+
 #include <algorithm>
 #include <cmath>
 #include <numeric>
 #include <queue>
-
-#include <tsl/robin_map.h>
 
 #include "modeler/map/voxel_key.hpp"
 
@@ -90,9 +90,9 @@ std::vector<std::uint32_t> thinned(const Evidence& evidence, std::size_t count) 
     is_left_out[ribbon] = true;
     ++left_out;
   }
-  kept.erase(std::remove_if(kept.begin(), kept.end(),
-                            [&](std::uint32_t i) { return is_left_out[i]; }),
-             kept.end());
+  kept.erase(
+      std::remove_if(kept.begin(), kept.end(), [&](std::uint32_t i) { return is_left_out[i]; }),
+      kept.end());
   return kept;
 }
 

@@ -2,10 +2,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <tsl/robin_map.h>
+
 #include <cstdint>
 #include <vector>
-
-#include <tsl/robin_map.h>
 
 #include "modeler/map/posed_ribbon.hpp"
 #include "modeler/map/voxel_key.hpp"

@@ -21,9 +21,9 @@ struct Ribbon {
   PointSpread spread;
   Eigen::Vector3f normal = Eigen::Vector3f::UnitZ();  ///< from three lines, towards the sensor
   Eigen::Vector3f along = Eigen::Vector3f::UnitX();   ///< unit direction of the run, in the plane
-  float sigma_across_rad = 0.0F;  ///< error of the normal about `along`
-  float area_m2 = 0.0F;           ///< sum of the surfel areas (eq. 2), capped
-  RibbonSamples samples;          ///< of the points of the middle line; kept by a PackedStore
+  float sigma_across_rad = 0.0F;                      ///< error of the normal about `along`
+  float area_m2 = 0.0F;                               ///< sum of the surfel areas (eq. 2), capped
+  RibbonSamples samples;  ///< of the points of the middle line; kept by a PackedStore
 };
 
 }  // namespace ribbon_mapper

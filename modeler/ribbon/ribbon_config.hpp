@@ -35,16 +35,16 @@ struct RibbonConfig {
   double bevel_sigmas = 4.0;
   double bevel_slack_m = 0.002;
 
-  /// Least angle between a ribbon's plane and the beam to its middle [deg]: mixed pixels between two
-  /// depths make veils that lie along the beams. A floor is seen at 4 degrees from 15 m.
+  /// Least angle between a ribbon's plane and the beam to its middle [deg]: mixed pixels between
+  /// two depths make veils that lie along the beams. A floor is seen at 4 degrees from 15 m.
   double least_incidence_deg = 4.0;
 
   /// Least length [m] and number of points of a ribbon.
   double least_length_m = 0.10;
   int least_points = 6;
 
-  /// Points of a ribbon are kept for the cells as means over this length [m]: half of a cell. Over a
-  /// whole one, small planes lose up to a tenth of their seen area.
+  /// Points of a ribbon are kept for the cells as means over this length [m]: half of a cell. Over
+  /// a whole one, small planes lose up to a tenth of their seen area.
   double sample_length_m = 0.025;
 };
 

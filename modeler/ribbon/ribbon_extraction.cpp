@@ -32,13 +32,12 @@ double side_of(const ScanLine& line, std::size_t beam, const PlaneFit& plane) {
 
 /// Calls function(begin, end) for successive stretches of a run, each as long as a sample.
 template <typename Function>
-void for_each_stretch(const ScanLine& line, std::size_t begin, std::size_t run_end,
-                      double length_m, const Function& function) {
+void for_each_stretch(const ScanLine& line, std::size_t begin, std::size_t run_end, double length_m,
+                      const Function& function) {
   const double square_m2 = length_m * length_m;
   while (begin < run_end) {
     std::size_t end = begin + 1;
-    while (end < run_end &&
-           (line.points[end] - line.points[begin]).squaredNorm() < square_m2) {
+    while (end < run_end && (line.points[end] - line.points[begin]).squaredNorm() < square_m2) {
       ++end;
     }
     function(begin, end);
@@ -145,8 +144,8 @@ void RibbonExtraction::make_ribbon(const LineBuffer& buffer, const Run& run, Poi
   moments.spread(base_line_m * across);
   ribbon.spread = moments.transformed(T_base_odom);
   std::fill(taken_.begin() + core.begin, taken_.begin() + core.end, 1);
-  ribbon.area_m2 = static_cast<float>(
-      capped_area_m2(buffer, {core.begin, core.end}, config_.area_cap_m2));
+  ribbon.area_m2 =
+      static_cast<float>(capped_area_m2(buffer, {core.begin, core.end}, config_.area_cap_m2));
   ribbon.samples = samples_of(line, core, plane, along, store);
   ribbons_.push_back(ribbon);
 }
@@ -176,11 +175,10 @@ void RibbonExtraction::collect_strays(const ScanLine& line) {
     if (!is_stray(begin)) continue;
     std::size_t run_end = begin + 1;
     while (run_end < line.end_of_segment[begin] && is_stray(run_end)) ++run_end;
-    for_each_stretch(line, begin, run_end, config_.sample_length_m,
-                     [&](std::size_t first, std::size_t end) {
-                       strays_.push_back({line.moments(first, end).mean() - sensor_origin_,
-                                          end - first});
-                     });
+    for_each_stretch(
+        line, begin, run_end, config_.sample_length_m, [&](std::size_t first, std::size_t end) {
+          strays_.push_back({line.moments(first, end).mean() - sensor_origin_, end - first});
+        });
     begin = run_end - 1;
   }
 }
@@ -203,8 +201,8 @@ StrayPoints RibbonExtraction::strays(const LineBuffer& buffer, PointStore& store
     for (int i = 0; i < 3; ++i) {
       packed.from_sensor[i] = static_cast<std::int16_t>(std::lround(steps[i]));
     }
-    packed.count = static_cast<std::uint16_t>(
-        std::min<std::size_t>(stray.count, StrayPoints::most_count));
+    packed.count =
+        static_cast<std::uint16_t>(std::min<std::size_t>(stray.count, StrayPoints::most_count));
     packed_strays_.push_back(packed);
   }
   strays.size = static_cast<std::uint32_t>(packed_strays_.size());

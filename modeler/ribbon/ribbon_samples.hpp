@@ -15,17 +15,17 @@ struct PackedSample {
 };
 
 /// The points of a ribbon for the cells of planes, as means over short stretches of it: all on one
-/// straight line through its centroid, up to their distances from its plane. (A laser that tilts and
-/// turns bends the line that it draws on a far floor by a few centimetres: less than a cell.)
+/// straight line through its centroid, up to their distances from its plane. (A laser that tilts
+/// and turns bends the line that it draws on a far floor by a few centimetres: less than a cell.)
 struct RibbonSamples {
   static constexpr float along_step_m = 0.005F;
   static constexpr int most_advance = 255, most_count = 255, most_height = 127;
 
   const PackedSample* first = nullptr;
   std::uint32_t size = 0;
-  float start_m = 0.0F;            ///< of the first sample along the ribbon from its centroid
-  float height_step_m = 0.0F;      ///< of this ribbon
-  float variance_m2 = 0.0F;        ///< of the points about their sample's mean, across the plane
+  float start_m = 0.0F;        ///< of the first sample along the ribbon from its centroid
+  float height_step_m = 0.0F;  ///< of this ribbon
+  float variance_m2 = 0.0F;    ///< of the points about their sample's mean, across the plane
 
   /// From the first sample to the last.
   float length_m() const {

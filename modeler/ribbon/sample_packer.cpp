@@ -28,17 +28,18 @@ RibbonSamples SamplePacker::pack() {
   result.variance_m2 = static_cast<float>(std::max(0.0, squares / points));
   long steps = 0;  // errors of rounding do not add up
   for (const Sample& sample : samples_) {
-    const long place = std::lround((sample.along_m - samples_.front().along_m) /
-                                   RibbonSamples::along_step_m);
+    const long place =
+        std::lround((sample.along_m - samples_.front().along_m) / RibbonSamples::along_step_m);
     long advance = std::max(0L, place - steps);
     steps += advance;
     for (; advance > RibbonSamples::most_advance; advance -= RibbonSamples::most_advance) {
       packed_.push_back({RibbonSamples::most_advance, 0, 0});
     }
     const double height = most_height_m > 0.0 ? sample.height_m / result.height_step_m : 0.0;
-    packed_.push_back({static_cast<std::uint8_t>(advance), static_cast<std::uint8_t>(sample.count),
-                       static_cast<std::int8_t>(std::lround(std::clamp(
-                           height, -1.0 * RibbonSamples::most_height, 1.0 * RibbonSamples::most_height)))});
+    packed_.push_back(
+        {static_cast<std::uint8_t>(advance), static_cast<std::uint8_t>(sample.count),
+         static_cast<std::int8_t>(std::lround(std::clamp(height, -1.0 * RibbonSamples::most_height,
+                                                         1.0 * RibbonSamples::most_height)))});
   }
   samples_.clear();
   result.first = packed_.data();

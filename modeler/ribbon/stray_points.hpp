@@ -21,7 +21,7 @@ struct StrayPoints {
 
   std::uint32_t pose = 0;  ///< acquisition pose: index into the trajectory
   std::uint32_t size = 0;
-  const PackedPoint* first = nullptr;  ///< kept by a PackedStore
+  const PackedPoint* first = nullptr;                ///< kept by a PackedStore
   Eigen::Vector3f sensor = Eigen::Vector3f::Zero();  ///< in the frame of the acquisition pose
   float step_m = 0.001F;  ///< a millimetre, or what the furthest of them needs
 

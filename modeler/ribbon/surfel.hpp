@@ -15,7 +15,7 @@ namespace ribbon_mapper {
 /// stands for (eq. 2). In the odom frame; the distance is taken from the sensor's origin.
 struct Surfel {
   std::uint32_t beam = 0;
-  Eigen::Vector3d point = Eigen::Vector3d::Zero();   ///< mean of the neighbourhood's middle line
+  Eigen::Vector3d point = Eigen::Vector3d::Zero();    ///< mean of the neighbourhood's middle line
   Eigen::Vector3d normal = Eigen::Vector3d::UnitZ();  ///< towards the sensor
   double area_m2 = 0.0;
 };

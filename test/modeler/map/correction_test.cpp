@@ -46,7 +46,8 @@ TEST(Correction, IsExactAtTheCorrectedPoses) {
   }
   const Correction correction(recorded_as(recorded), corrected);
   for (int i = 5, k = 0; i < 100; i += 13, ++k) {
-    EXPECT_LT(distance(corrected[k].T_map_base, correction.corrected(recorded_as(recorded[i]))), 1e-12);
+    EXPECT_LT(distance(corrected[k].T_map_base, correction.corrected(recorded_as(recorded[i]))),
+              1e-12);
   }
 }
 
@@ -66,13 +67,18 @@ TEST(Correction, BetweenPosesTheChangeIsInterpolatedNotThePose) {
 TEST(Correction, BeyondItsEndsTheNearestChangeHolds) {
   const Poses recorded = wriggling();
   const Pose first = planar_pose(1.0, 2.0, 0.3), last = planar_pose(-2.0, 1.0, -0.4);
-  const Correction correction(recorded_as(recorded), {{recorded[40].stamp, first * recorded[40].T_map_base},
-                                         {recorded[50].stamp, last * recorded[50].T_map_base}});
+  const Correction correction(recorded_as(recorded),
+                              {{recorded[40].stamp, first * recorded[40].T_map_base},
+                               {recorded[50].stamp, last * recorded[50].T_map_base}});
   for (int i = 0; i < 40; ++i) {
-    EXPECT_LT(distance(first * recorded[i].T_map_base, correction.corrected(recorded_as(recorded[i]))), 1e-9);
+    EXPECT_LT(
+        distance(first * recorded[i].T_map_base, correction.corrected(recorded_as(recorded[i]))),
+        1e-9);
   }
   for (int i = 51; i <= 100; ++i) {
-    EXPECT_LT(distance(last * recorded[i].T_map_base, correction.corrected(recorded_as(recorded[i]))), 1e-9);
+    EXPECT_LT(
+        distance(last * recorded[i].T_map_base, correction.corrected(recorded_as(recorded[i]))),
+        1e-9);
   }
 }
 

@@ -27,7 +27,8 @@ bool are_neighbours(const Vector& a, const Vector& b) {
 
 Slots near(VoxelIndex& index, const Vector& point) {
   Slots slots;
-  index.near({index.voxel_at(point)}, [](std::uint32_t) { return true; }, slots);
+  index.near(
+      {index.voxel_at(point)}, [](std::uint32_t) { return true; }, slots);
   std::sort(slots.begin(), slots.end());
   return slots;
 }

@@ -78,8 +78,9 @@ TEST(RibbonExtraction, RibbonsLieOnTheirFacesInTheFrameOfTheirPose) {
 TEST(RibbonExtraction, TheMomentsPlaneIsTheRibbons) {
   for (const Ribbon& ribbon : ribbons_of(precise_lines(room(), tilting(0.8)))) {
     EXPECT_GT(std::abs(fit_plane(ribbon.spread.transformed(Pose::Identity()))
-                       .normal()
-                       .dot(ribbon.normal.cast<double>())), 0.999);
+                           .normal()
+                           .dot(ribbon.normal.cast<double>())),
+              0.999);
     EXPECT_NEAR(ribbon.last_beam - ribbon.first_beam + 1.0, ribbon.spread.weight(), 1e-9);
   }
 }
