@@ -79,6 +79,7 @@ struct Modeler::State {
   void thin() {
     const std::size_t count = most_ribbons() - most_ribbons() / 8;
     const std::vector<std::uint32_t> kept = thinned(evidence(), count);
+    thinned_ribbons += ribbons.size() - kept.size();
     keep_only(kept, ribbons);
     std::vector<std::uint32_t> kept_poses;
     for (Ribbon& ribbon : ribbons) {
@@ -125,7 +126,7 @@ struct Modeler::State {
   std::vector<StrayPoints> strays;
   Trajectory trajectory;
   PlaneMap map;
-  std::size_t lines = 0, revision = 0;
+  std::size_t lines = 0, revision = 0, thinned_ribbons = 0;
 };
 
 const char* to_string(LineResult result) {
@@ -192,7 +193,7 @@ std::vector<StampedPose> Modeler::trajectory() const { return state_->trajectory
 const std::vector<Ribbon>& Modeler::ribbons() const { return state_->ribbons; }
 
 ModelStatistics Modeler::statistics() const {
-  return {state_->lines, state_->ribbons.size(), state_->revision};
+  return {state_->lines, state_->ribbons.size(), state_->thinned_ribbons, state_->revision};
 }
 
 std::size_t Modeler::memory_bytes() const {

@@ -25,8 +25,9 @@ enum class LineResult {
 const char* to_string(LineResult result);
 
 struct ModelStatistics {
-  std::size_t lines = 0;  ///< given to add_scan_line()
-  std::size_t ribbons = 0;
+  std::size_t lines = 0;     ///< given to add_scan_line()
+  std::size_t ribbons = 0;   ///< in the model
+  std::size_t thinned = 0;   ///< ribbons that were left out for PlaneMapConfig::most_ribbons
   std::size_t revision = 0;  ///< number of corrections applied
 };
 
@@ -43,8 +44,9 @@ class Modeler {
   Modeler& operator=(Modeler&&) noexcept;
 
   /// Sections 4.1 to 4.3 of the paper: buffer, surfels, ribbons, association. Never throws on bad
-  /// data: the result says what became of the line. When the model has PlaneMapConfig::most_ribbons,
-  /// an eighth of them is left out, where they are densest, and the model evaluated again.
+  /// data: the result says what became of the line. When the model has
+  /// PlaneMapConfig::most_ribbons, an eighth of them is left out, where they are densest, and the
+  /// model evaluated again.
   LineResult add_scan_line(const LaserBeams& beams, const LinePoses& poses);
 
   /// Section 4.4: takes over a corrected trajectory (base_footprint in map, stamps strictly

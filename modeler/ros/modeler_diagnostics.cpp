@@ -10,8 +10,8 @@
 namespace ribbon_mapper {
 namespace {
 
-using diagnostic_updater::DiagnosticStatusWrapper;
 using diagnostic_msgs::DiagnosticStatus;
+using diagnostic_updater::DiagnosticStatusWrapper;
 
 double megabytes(double bytes) { return bytes / 1e6; }
 
@@ -49,7 +49,8 @@ void ModelerDiagnostics::lines(DiagnosticStatusWrapper& status) {
   status.add("lines in", lines);
   status.add("lines waiting for tf", intake_.waiting());
   status.add("lines dropped", dropped);
-  for (const auto& [reason, count] : log.dropped_by_reason()) status.add("dropped: " + reason, count);
+  for (const auto& [reason, count] : log.dropped_by_reason())
+    status.add("dropped: " + reason, count);
   for (const auto& [outcome, count] : log.handled_by_outcome()) status.add(outcome, count);
 }
 
@@ -60,6 +61,7 @@ void ModelerDiagnostics::model(DiagnosticStatusWrapper& status) {
   status.summary(slow ? DiagnosticStatus::WARN : DiagnosticStatus::OK,
                  slow ? "slower than the laser" : "running");
   status.add("ribbons", statistics.ribbons);
+  if (statistics.thinned > 0) status.add("ribbons left out (map.most_ribbons)", statistics.thinned);
   status.add("corrections", statistics.revision);
   status.addf("real-time factor", "%.1f", factor);
   status.addf("median time of a line [us]", "%.0f", keeper_.log().median_line_us());

@@ -17,7 +17,7 @@ ROOMS = {
     "modeler/geometry": Room([], ["Eigen"]),
     "modeler/scan": Room(_CORE[:1], ["Eigen"]),
     "modeler/ribbon": Room(_CORE[:2], ["Eigen"]),
-    "modeler/map": Room(_CORE[:3], ["Eigen"]),
+    "modeler/map": Room(_CORE[:3], ["Eigen", "tsl"]),
     "modeler": Room(_CORE, ["Eigen"]),
     "modeler/io": Room(_MODELER, ["Eigen", "nlohmann", "octomap", "sys", "yaml-cpp"]),
     "modeler/ros": Room(_MODELER + ["modeler/io"], ANY),

@@ -84,6 +84,7 @@ TEST(Modeler, StaysWithinItsMemoryAllDay) {
     EXPECT_LT(bytes, most_bytes_in_first_half * 5 / 4) << "round " << round;
     expect_one_for_each(room(), modeler.merged_planes(), 0.3, 0.01);
   }
+  EXPECT_GT(modeler.statistics().thinned, 600u);
   const auto trajectory = modeler.trajectory();
   EXPECT_LE(trajectory.size(), 600u);
   for (const Ribbon& ribbon : modeler.ribbons()) ASSERT_LT(ribbon.pose, trajectory.size());
