@@ -20,9 +20,12 @@ void Trajectory::add(const RecordedPose& recorded) {
 
 void Trajectory::correct(const std::vector<StampedPose>& corrected) {
   if (stamps_.empty()) throw std::invalid_argument("there is no model to correct yet");
-  correction_.emplace(recorded(), corrected);
+  const std::vector<RecordedPose> as_recorded = recorded();
+  correction_.emplace(as_recorded, corrected);
   if (T_map_base_.empty()) T_map_base_ = T_map_base_recorded_;
-  for (std::size_t i = 0; i < size(); ++i) T_map_base_.set(i, correction_->corrected(recorded(i)));
+  for (std::size_t i = 0; i < size(); ++i) {
+    T_map_base_.set(i, correction_->corrected(as_recorded[i]));
+  }
 }
 
 void Trajectory::refine(const std::vector<StampedPose>& poses) {

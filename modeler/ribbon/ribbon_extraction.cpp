@@ -146,15 +146,14 @@ void RibbonExtraction::make_ribbon(const LineBuffer& buffer, const Run& run, Poi
   std::fill(taken_.begin() + core.begin, taken_.begin() + core.end, 1);
   ribbon.area_m2 =
       static_cast<float>(capped_area_m2(buffer, {core.begin, core.end}, config_.area_cap_m2));
-  ribbon.samples = samples_of(line, core, plane, along, store);
+  ribbon.samples = samples_of(line, core, moments.mean(), normal, along, store);
   ribbons_.push_back(ribbon);
 }
 
 RibbonSamples RibbonExtraction::samples_of(const ScanLine& line, const Run& run,
-                                           const PlaneFit& plane, const Eigen::Vector3d& along,
-                                           PointStore& store) {
-  const Eigen::Vector3d centroid = line.moments(run.begin, run.end).mean();
-  const Eigen::Vector3d normal = side_of(line, run.begin, plane) * plane.normal();
+                                           const Eigen::Vector3d& centroid,
+                                           const Eigen::Vector3d& normal,
+                                           const Eigen::Vector3d& along, PointStore& store) {
   const double d_m = -normal.dot(centroid);
   for_each_stretch(line, run.begin, run.end, config_.sample_length_m,
                    [&](std::size_t begin, std::size_t end) {

@@ -41,8 +41,9 @@ class RibbonExtraction {
   void find_runs(const ScanLine& line);
   void make_ribbon(const LineBuffer& buffer, const Run& run, PointStore& store);
   Run grow(const ScanLine& line, Run run, const PlaneFit& plane) const;
-  RibbonSamples samples_of(const ScanLine& line, const Run& run, const PlaneFit& plane,
-                           const Eigen::Vector3d& along, PointStore& store);
+  RibbonSamples samples_of(const ScanLine& line, const Run& run, const Eigen::Vector3d& centroid,
+                           const Eigen::Vector3d& normal, const Eigen::Vector3d& along,
+                           PointStore& store);
   void collect_strays(const ScanLine& line);
   bool straddles_an_edge(const LineBuffer& buffer, const Run& core, const PlaneFit& plane) const;
 

@@ -28,18 +28,10 @@ struct RibbonSamples {
   float variance_m2 = 0.0F;    ///< of the points about their sample's mean, across the plane
 
   /// From the first sample to the last.
-  float length_m() const {
-    int steps = 0;
-    for (const PackedSample* s = first + 1; s < first + size; ++s) steps += s->advance;
-    return static_cast<float>(steps) * along_step_m;
-  }
+  float length_m() const { return size > 0 ? way_m(size - 1) : 0.0F; }
 
   /// Of the sample in the middle of their row, along the ribbon from its centroid.
-  float middle_m() const {
-    int steps = 0;
-    for (std::uint32_t i = 1; i <= size / 2 && i < size; ++i) steps += first[i].advance;
-    return start_m + static_cast<float>(steps) * along_step_m;
-  }
+  float middle_m() const { return start_m + (size > 0 ? way_m(size / 2) : 0.0F); }
 
   /// Calls function(along_m, height_m, count) for each sample, in order.
   template <typename Function>
@@ -59,6 +51,14 @@ struct RibbonSamples {
       steps += sample->advance;
       if (sample->count > 0) function(steps, *sample);
     }
+  }
+
+ private:
+  /// From the first sample to this one.
+  float way_m(std::uint32_t index) const {
+    int steps = 0;
+    for (std::uint32_t i = 1; i <= index; ++i) steps += first[i].advance;
+    return static_cast<float>(steps) * along_step_m;
   }
 };
 
