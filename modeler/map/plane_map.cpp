@@ -3,6 +3,7 @@
 #include "modeler/map/plane_map.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <map>
 #include <set>
 #include <unordered_map>
@@ -16,6 +17,7 @@ PlaneMap::PlaneMap(const PlaneMapConfig& config, const AssociationGates& gates,
     : gates_(gates),
       least_cosine_(static_cast<float>(least_cosine(gates)) - 1e-4F),
       most_distance_m_(static_cast<float>(gates.distance_m) + 1e-3F),
+      reach_(std::sqrt(2.0 - 2.0 * least_cosine(gates)) + 1e-4),
       index_(config.bridged_gap_m),
       next_id_(first_id) {}
 
@@ -28,7 +30,7 @@ void PlaneMap::add(const PosedRibbon& ribbon, std::uint32_t index) {
            std::abs(side.normal.dot(centroid) + side.d_m) <= most_distance_m_;
   };
   index_.voxels_of(ribbon, voxels_);
-  index_.near(voxels_, may_hold, near_);
+  index_.near(voxels_, cube_side(ribbon.normal), may_hold, near_);
   double best = 0.0;
   std::uint32_t slot = 0;
   others_.clear();
@@ -39,21 +41,33 @@ void PlaneMap::add(const PosedRibbon& ribbon, std::uint32_t index) {
     if (probability > best) best = probability, slot = candidate;
   }
   if (others_.empty()) {
-    slot = static_cast<std::uint32_t>(hypotheses_.size());
-    grow_sparingly(hypotheses_);
-    hypotheses_.emplace_back(next_id_++);
-    sides_.emplace_back();
+    slot = new_slot();
     best = 1.0;
   }
   hypotheses_[slot].add(ribbon, {index, static_cast<float>(best)});
-  refresh(slot);
-  index_.enter(slot, voxels_);
+  refresh(slot, voxels_);
   if (others_.size() > 1) merge_with(others_, slot);
 }
 
-void PlaneMap::refresh(std::uint32_t slot) {
-  sides_[slot] = {hypotheses_[slot].normal().cast<float>(),
-                  static_cast<float>(hypotheses_[slot].d_m())};
+std::uint32_t PlaneMap::new_slot() {
+  const Hypothesis empty(next_id_++);
+  if (!free_slots_.empty()) {
+    const std::uint32_t slot = free_slots_.back();
+    free_slots_.pop_back();
+    hypotheses_[slot] = empty;
+    return slot;
+  }
+  grow_sparingly(hypotheses_);
+  hypotheses_.push_back(empty);
+  sides_.emplace_back();
+  return static_cast<std::uint32_t>(hypotheses_.size() - 1);
+}
+
+/// After a hypothesis has changed, and has come to touch these voxels, too.
+void PlaneMap::refresh(std::uint32_t slot, const std::vector<std::uint32_t>& voxels) {
+  const Eigen::Vector3d& normal = hypotheses_[slot].normal();
+  sides_[slot] = {normal.cast<float>(), static_cast<float>(hypotheses_[slot].d_m())};
+  index_.enter(slot, voxels, cube_sides_within(normal, reach_));
 }
 
 /// A ribbon that fits several hypotheses is where they meet: those that are one plane merge.
@@ -73,9 +87,9 @@ void PlaneMap::merge(std::uint32_t into, std::uint32_t from) {
   const std::int64_t id = std::min(hypotheses_[into].id, hypotheses_[from].id);
   hypotheses_[into].absorb(hypotheses_[from]);
   hypotheses_[into].id = id;
-  refresh(into);
-  hypotheses_[from] = Hypothesis(hypotheses_[from].id);
-  index_.unite(into, from);
+  hypotheses_[from] = Hypothesis(0);
+  free_slots_.push_back(from);
+  refresh(into, index_.remove(from));
 }
 
 std::vector<Hypothesis> PlaneMap::hypotheses() const {
@@ -107,21 +121,25 @@ std::vector<Hypothesis> PlaneMap::merged_hypotheses() const {
       is_open[slot] = 0;
       if (!work.absorb_neighbours(slot)) continue;
       changed = true;
-      const auto all = [](std::uint32_t) { return true; };
-      work.index_.near(work.index_.touched_by(slot), all, work.near_);
+      work.find_parallel(slot);
       for (const std::uint32_t near : work.near_) is_open[near] = 1;
     }
   }
   return work.hypotheses();
 }
 
-bool PlaneMap::absorb_neighbours(std::uint32_t slot) {
-  if (!is_alive(slot)) return false;
-  bool changed = false;
+/// Those near it that may be one plane with it, and itself.
+void PlaneMap::find_parallel(std::uint32_t slot) {
   const auto is_parallel = [&](std::uint32_t other) {
     return sides_[slot].normal.dot(sides_[other].normal) >= least_cosine_;
   };
-  index_.near(index_.touched_by(slot), is_parallel, near_);
+  index_.near(index_.touched_by(slot), cube_side(hypotheses_[slot].normal()), is_parallel, near_);
+}
+
+bool PlaneMap::absorb_neighbours(std::uint32_t slot) {
+  if (!is_alive(slot)) return false;
+  bool changed = false;
+  find_parallel(slot);
   for (const std::uint32_t other : near_) {
     if (other == slot || !is_alive(other)) continue;
     if (hypotheses_[other].area_m2() > hypotheses_[slot].area_m2()) continue;
@@ -169,7 +187,8 @@ void PlaneMap::take_ids_from(const PlaneMap& before,
 
 std::size_t PlaneMap::memory_bytes() const {
   std::size_t bytes = index_.memory_bytes() + hypotheses_.capacity() * sizeof(Hypothesis) +
-                      sides_.capacity() * sizeof(Side);
+                      sides_.capacity() * sizeof(Side) +
+                      free_slots_.capacity() * sizeof(std::uint32_t);
   for (const Hypothesis& plane : hypotheses_) bytes += plane.members().capacity() * sizeof(Member);
   return bytes;
 }

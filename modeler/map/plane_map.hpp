@@ -41,8 +41,9 @@ class PlaneMap {
     Eigen::Vector3f normal;
     float d_m;
   };
-  void refresh(std::uint32_t slot);
-
+  std::uint32_t new_slot();
+  void refresh(std::uint32_t slot, const std::vector<std::uint32_t>& voxels);
+  void find_parallel(std::uint32_t slot);
   bool is_alive(std::uint32_t slot) const { return !hypotheses_[slot].members().empty(); }
   void merge(std::uint32_t into, std::uint32_t from);
   void merge_with(const std::vector<std::uint32_t>& others, std::uint32_t slot);
@@ -50,10 +51,12 @@ class PlaneMap {
 
   AssociationGates gates_;
   float least_cosine_, most_distance_m_;  // of a Side; the margins are far above rounding
+  double reach_;                          // from a normal to those of its ribbons
   VoxelIndex index_;
   std::int64_t next_id_;
-  std::vector<Hypothesis> hypotheses_;        // by slot; without members: merged into another one
+  std::vector<Hypothesis> hypotheses_;        // by slot; without members: slot is free
   std::vector<Side> sides_;                   // by slot
+  std::vector<std::uint32_t> free_slots_;     // of what merged into others
   std::vector<std::uint32_t> voxels_;         // scratch
   std::vector<std::uint32_t> near_, others_;  // scratch
 };

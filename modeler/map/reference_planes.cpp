@@ -14,6 +14,9 @@ constexpr double degree = M_PI / 180.0;
 
 // Innovations of two numbers further out than this happen once in 300 times (chi square).
 constexpr double gate_square_sigmas = 11.8;
+// Planes are entered for one side only: their ribbons' directions are as uncertain as their poses.
+constexpr int any_side = 0;
+
 // Of two planes the likelier one must be e^2 times as likely, unless they lie within the noise.
 constexpr double ambiguous_square_sigmas = 4.0;
 
@@ -62,14 +65,14 @@ void ReferencePlanes::enter(std::uint32_t slot, const Hypothesis& hypothesis,
                             const Evidence& evidence) {
   for (const Member& member : hypothesis.members()) {
     index_.voxels_of(evidence.ribbon(member.ribbon), voxels_);
-    index_.enter(slot, voxels_);
+    index_.enter(slot, voxels_, 1 << any_side);
   }
 }
 
 void ReferencePlanes::find_near(const PosedRibbon& ribbon, Sight& sight) {
   index_.voxels_of(ribbon, voxels_);
-  index_.near(
-      voxels_, [](std::uint32_t) { return true; }, sight.planes);
+  const auto all = [](std::uint32_t) { return true; };
+  index_.near(voxels_, any_side, all, sight.planes);
 }
 
 bool ReferencePlanes::fits_across(const Sight& sight, const Eigen::Vector3d& normal,

@@ -9,6 +9,7 @@
 #include <numeric>
 #include <queue>
 
+#include "modeler/map/cube_sides.hpp"
 #include "modeler/map/voxel_key.hpp"
 
 namespace ribbon_mapper {
@@ -41,19 +42,13 @@ class Density {
   }
 
  private:
-  static std::uint64_t side_of(const Eigen::Vector3d& normal) {
-    Eigen::Index axis;
-    normal.cwiseAbs().maxCoeff(&axis);
-    return 2 * static_cast<std::uint64_t>(axis) + (normal[axis] < 0.0 ? 1 : 0);
-  }
-
   void enter(const PosedRibbon& ribbon) {
     const RibbonSamples& samples = ribbon.ribbon->samples;
     const int steps = static_cast<int>(std::ceil(samples.length_m() / place_m));
     for (int i = 0; i <= steps; ++i) {
       const double along_m = samples.start_m + samples.length_m() * i / std::max(1, steps);
       const VoxelKey voxel = voxel_key(ribbon.centroid + along_m * ribbon.along, place_m);
-      const std::uint64_t key = KeyHash()(voxel) ^ side_of(ribbon.normal);
+      const std::uint64_t key = KeyHash()(voxel) ^ static_cast<VoxelKey>(cube_side(ribbon.normal));
       const auto number = static_cast<std::uint32_t>(counts_.size());
       const auto [place, is_new] = numbers_.try_emplace(key, number);
       if (is_new) counts_.push_back(0);

@@ -12,6 +12,11 @@ namespace {
 
 constexpr double steps_per_voxel = 4.0;  // along a ribbon
 
+void remove_from(std::vector<std::uint32_t>& slots, std::uint32_t slot) {
+  const auto place = std::find(slots.begin(), slots.end(), slot);
+  if (place != slots.end()) slots.erase(place);
+}
+
 }  // namespace
 
 std::uint32_t VoxelIndex::voxel_of(VoxelKey key) {
@@ -25,7 +30,27 @@ std::uint32_t VoxelIndex::voxel_of(VoxelKey key) {
     voxels_[number].around.push_back(other->second);
     if (other->second != number) voxels_[other->second].around.push_back(number);
   });
+  list_what_is_near(voxels_[number]);
   return number;
+}
+
+void VoxelIndex::list_what_is_near(Voxel& voxel) {
+  ++question_;
+  for (const std::uint32_t around : voxel.around) {
+    for (const std::uint32_t slot : voxels_[around].slots) {
+      if (entries_[slot].question == question_) continue;
+      entries_[slot].question = question_;
+      list(slot, entries_[slot].sides, voxel);
+    }
+  }
+}
+
+void VoxelIndex::list(std::uint32_t slot, CubeSides sides, Voxel& voxel) {
+  for (int side = 0; side < cube_sides; ++side) {
+    if ((sides & (1 << side)) == 0) continue;
+    grow_sparingly(voxel.near[side]);
+    voxel.near[side].push_back(slot);
+  }
 }
 
 std::uint32_t VoxelIndex::voxel_at(const Eigen::Vector3d& point) {
@@ -47,50 +72,63 @@ void VoxelIndex::voxels_of(const PosedRibbon& ribbon, std::vector<std::uint32_t>
   }
 }
 
-void VoxelIndex::enter(std::uint32_t slot, const std::vector<std::uint32_t>& voxels) {
+/// Each voxel once.
+template <typename Function>
+void VoxelIndex::for_each_voxel_around(const std::vector<std::uint32_t>& voxels,
+                                       const Function& function) {
+  ++question_;
+  for (const std::uint32_t voxel : voxels) {
+    for (const std::uint32_t around : voxels_[voxel].around) {
+      if (voxels_[around].question == question_) continue;
+      voxels_[around].question = question_;
+      function(voxels_[around]);
+    }
+  }
+}
+
+void VoxelIndex::enter(std::uint32_t slot, const std::vector<std::uint32_t>& voxels,
+                       CubeSides sides) {
   while (entries_.size() <= slot) {
     grow_sparingly(entries_);
-    entries_.push_back({{}, static_cast<std::uint32_t>(entries_.size()), 0});
+    entries_.emplace_back();
   }
-  std::vector<std::uint32_t>& touched = entries_[slot].touched;
-  if (touched.empty()) touched.reserve(4);
+  Entry& entry = entries_[slot];
+  std::vector<std::uint32_t>& touched = entry.touched;
+  if (const auto more = static_cast<CubeSides>(sides & ~entry.sides)) {
+    for_each_voxel_around(touched, [&](Voxel& voxel) { list(slot, more, voxel); });
+    entry.sides |= more;
+  }
+  const bool is_new = touched.empty();
+  if (is_new) touched.reserve(4);
+  fresh_.clear();
   for (const std::uint32_t voxel : voxels) {
     const auto place = std::lower_bound(touched.begin(), touched.end(), voxel);
     if (place != touched.end() && *place == voxel) continue;
     touched.insert(place, voxel);
     voxels_[voxel].slots.push_back(slot);
+    fresh_.push_back(voxel);
   }
+  if (fresh_.empty()) return;
+  int side = 0;
+  while ((entry.sides & (1 << side)) == 0) ++side;
+  for_each_voxel_around(fresh_, [&](Voxel& voxel) {
+    const std::vector<std::uint32_t>& near = voxel.near[side];
+    if (is_new || std::find(near.begin(), near.end(), slot) == near.end()) {
+      list(slot, entry.sides, voxel);
+    }
+  });
 }
 
-void VoxelIndex::unite(std::uint32_t into, std::uint32_t from) {
-  entries_[from].part_of = into;
-  std::vector<std::uint32_t>& touched = entries_[into].touched;
-  const std::vector<std::uint32_t> more = std::move(entries_[from].touched);
-  for (const std::uint32_t voxel : more) voxels_[voxel].has_parts = true;
-  entries_[from].touched = {};
-  const auto middle = static_cast<std::ptrdiff_t>(touched.size());
-  touched.insert(touched.end(), more.begin(), more.end());
-  std::inplace_merge(touched.begin(), touched.begin() + middle, touched.end());
-  touched.erase(std::unique(touched.begin(), touched.end()), touched.end());
-}
-
-std::uint32_t VoxelIndex::whole_of(std::uint32_t slot) {
-  while (entries_[slot].part_of != slot) {
-    slot = entries_[slot].part_of = entries_[entries_[slot].part_of].part_of;
-  }
-  return slot;
-}
-
-/// Each whole once, in the order of first appearance.
-void VoxelIndex::replace_parts(Voxel& voxel) {
-  std::size_t kept = 0;
-  for (std::size_t i = 0; i < voxel.slots.size(); ++i) {
-    const std::uint32_t whole = whole_of(voxel.slots[i]);
-    const auto end = voxel.slots.begin() + static_cast<std::ptrdiff_t>(kept);
-    if (std::find(voxel.slots.begin(), end, whole) == end) voxel.slots[kept++] = whole;
-  }
-  voxel.slots.resize(kept);
-  voxel.has_parts = false;
+std::vector<std::uint32_t> VoxelIndex::remove(std::uint32_t slot) {
+  const Entry entry = std::move(entries_[slot]);
+  entries_[slot] = {};
+  for_each_voxel_around(entry.touched, [&](Voxel& voxel) {
+    for (int side = 0; side < cube_sides; ++side) {
+      if (entry.sides & (1 << side)) remove_from(voxel.near[side], slot);
+    }
+  });
+  for (const std::uint32_t voxel : entry.touched) remove_from(voxels_[voxel].slots, slot);
+  return entry.touched;
 }
 
 std::size_t VoxelIndex::memory_bytes() const {
@@ -98,6 +136,7 @@ std::size_t VoxelIndex::memory_bytes() const {
                       voxels_.capacity() * sizeof(Voxel) + entries_.capacity() * sizeof(Entry);
   for (const Voxel& voxel : voxels_) {
     bytes += (voxel.slots.capacity() + voxel.around.capacity()) * sizeof(std::uint32_t);
+    for (const auto& near : voxel.near) bytes += near.capacity() * sizeof(std::uint32_t);
   }
   for (const Entry& entry : entries_) bytes += entry.touched.capacity() * sizeof(std::uint32_t);
   return bytes;

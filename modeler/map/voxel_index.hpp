@@ -4,17 +4,19 @@
 
 #include <tsl/robin_map.h>
 
+#include <array>
 #include <cstdint>
 #include <vector>
 
+#include "modeler/map/cube_sides.hpp"
 #include "modeler/map/posed_ribbon.hpp"
 #include "modeler/map/voxel_key.hpp"
 
 namespace ribbon_mapper {
 
-/// Which hypotheses are near a place: those that touch its voxel or one next to it. Voxels are
-/// numbered as they are met and know those next to them. Hypotheses that became a part of another
-/// stay entered; whose part they are is found out when somebody asks.
+/// Which hypotheses are near a place and look the same way: those that touch its voxel or one next
+/// to it. Asked far more often than changed, so each voxel lists all that are near it. Voxels are
+/// numbered as they are met and know those next to them.
 class VoxelIndex {
  public:
   explicit VoxelIndex(double voxel_m) : voxel_m_(voxel_m) {}
@@ -25,26 +27,24 @@ class VoxelIndex {
   /// those of which it cuts a corner only.
   void voxels_of(const PosedRibbon& ribbon, std::vector<std::uint32_t>& voxels);
 
-  /// Enters a hypothesis (its slot) at the voxels that it is not yet entered for.
-  void enter(std::uint32_t slot, const std::vector<std::uint32_t>& voxels);
-  /// `from` becomes a part of `into`.
-  void unite(std::uint32_t into, std::uint32_t from);
+  /// Enters a hypothesis (its slot) at the voxels and for the sides that it is not yet entered for.
+  void enter(std::uint32_t slot, const std::vector<std::uint32_t>& voxels,
+             CubeSides sides = all_cube_sides);
+  /// Returns the voxels that it was entered at; the slot is as good as new.
+  std::vector<std::uint32_t> remove(std::uint32_t slot);
 
-  /// Slots near any of the voxels for which accepts(slot) is true, each once.
+  /// Slots near any of the voxels that are entered for the side and for which accepts(slot) is
+  /// true, each once.
   template <typename Accepts>
-  void near(const std::vector<std::uint32_t>& voxels, const Accepts& accepts,
+  void near(const std::vector<std::uint32_t>& voxels, int side, const Accepts& accepts,
             std::vector<std::uint32_t>& slots) {
     slots.clear();
     ++question_;
     for (const std::uint32_t voxel : voxels) {
-      for (const std::uint32_t around : voxels_[voxel].around) {
-        if (voxels_[around].question == question_) continue;
-        voxels_[around].question = question_;
-        for (const std::uint32_t slot : wholes_in(voxels_[around])) {
-          if (!accepts(slot) || entries_[slot].question == question_) continue;
-          entries_[slot].question = question_;
-          slots.push_back(slot);
-        }
+      for (const std::uint32_t slot : voxels_[voxel].near[side]) {
+        if (!accepts(slot) || entries_[slot].question == question_) continue;
+        entries_[slot].question = question_;
+        slots.push_back(slot);
       }
     }
   }
@@ -58,28 +58,27 @@ class VoxelIndex {
   struct Voxel {
     std::vector<std::uint32_t> slots;   // that touch it
     std::vector<std::uint32_t> around;  // voxels: itself and those next to it
-    std::uint32_t question = 0;         // the last one that it answered
-    bool has_parts = false;             // among its slots
+    std::array<std::vector<std::uint32_t>, cube_sides> near;  // by side: slots that touch these
+    std::uint32_t question = 0;                               // the last one that it answered
   };
   struct Entry {
-    std::vector<std::uint32_t> touched;  // sorted
-    std::uint32_t part_of;               // itself if it is a whole
+    std::vector<std::uint32_t> touched;  // voxels, sorted
     std::uint32_t question = 0;
+    CubeSides sides = 0;
   };
 
   std::uint32_t voxel_of(VoxelKey key);
-  std::uint32_t whole_of(std::uint32_t slot);
-  const std::vector<std::uint32_t>& wholes_in(Voxel& voxel) {
-    if (voxel.has_parts) replace_parts(voxel);
-    return voxel.slots;
-  }
-  void replace_parts(Voxel& voxel);
+  void list_what_is_near(Voxel& voxel);
+  void list(std::uint32_t slot, CubeSides sides, Voxel& voxel);
+  template <typename Function>
+  void for_each_voxel_around(const std::vector<std::uint32_t>& voxels, const Function& function);
 
   double voxel_m_;
   tsl::robin_map<VoxelKey, std::uint32_t, KeyHash> numbers_;  // of voxels
   std::vector<Voxel> voxels_;
   std::vector<Entry> entries_;  // by slot
   std::uint32_t question_ = 0;
+  std::vector<std::uint32_t> fresh_;  // scratch
 };
 
 }  // namespace ribbon_mapper
