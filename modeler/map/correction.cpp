@@ -42,6 +42,8 @@ Correction::Correction(const std::vector<RecordedPose>& recorded,
                        const std::vector<StampedPose>& corrected) {
   require_usable(corrected);
   const Time first = recorded.front().in_map.stamp, last = recorded.back().in_map.stamp;
+  changes_.reserve(corrected.size());
+  poses_.reserve(corrected.size());
   for (const StampedPose& pose : corrected) {
     if (pose.stamp < first || pose.stamp > last) continue;
     const RecordedPose was = recorded_at(recorded, pose.stamp);
@@ -65,6 +67,7 @@ Pose Correction::corrected(const RecordedPose& recorded) const {
                        [](Time time, const Change& change) { return time < change.stamp; });
   if (after == changes_.begin()) return after->T_corrected_map * recorded.in_map.T_map_base;
   const Change& from = *(after - 1);
+  if (from.stamp == stamp) return from.T_corrected_odom * recorded.T_odom_base;
   if (after == changes_.end()) return from.T_corrected_map * recorded.in_map.T_map_base;
   // The change of the position is that at the robot's own place, not at the map's origin.
   const double fraction = to_seconds(stamp - from.stamp) / to_seconds(after->stamp - from.stamp);

@@ -3,7 +3,9 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <cmath>
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 #include "modeler/geometry/moments.hpp"
@@ -32,6 +34,12 @@ class Hypothesis {
 
   void add(const PosedRibbon& ribbon, const Member& member);
   void absorb(const Hypothesis& other);
+  /// Like add(), but the plane stays as it was fitted last: for one ribbon among hundreds.
+  void collect(const PosedRibbon& ribbon, const Member& member);
+  /// Fits the plane to all that was collected.
+  void refit();
+  /// Area that was collected since the last fit, as a share of all.
+  double unfitted_share() const { return fitted_m2_ > 0.0 ? 1.0 - fitted_m2_ / area_m2() : 1.0; }
 
   const Eigen::Vector3d& normal() const { return normal_; }  ///< towards the seen side
   double d_m() const { return d_m_; }
@@ -42,19 +50,18 @@ class Hypothesis {
   const std::vector<Member>& members() const { return members_; }
   double signed_distance(const Eigen::Vector3d& point) const { return normal_.dot(point) + d_m_; }
 
-  /// Standard error of the normal's tilt in a direction in the plane [rad].
-  double tilt_sigma(const Eigen::Vector3d& direction) const;
+  /// Of the error of the normal's tilt in a direction in the plane [rad2].
+  double tilt_variance(const Eigen::Vector3d& direction) const;
 
   std::int64_t id;  ///< in the order of creation; of two that merge, the older one's
 
  private:
-  void refit();
-
   Moments moments_;  // weighted by area times probability
   Eigen::Vector3d side_ = Eigen::Vector3d::Zero();
   double points_ = 0.0;
   std::vector<Member> members_;
   PlaneFit fit_;
+  double fitted_m2_ = 0.0;
   Eigen::Vector3d normal_ = Eigen::Vector3d::UnitZ();
   double d_m_ = 0.0;
 };
@@ -62,10 +69,13 @@ class Hypothesis {
 /// Normals of what may be one plane have at least this cosine: the widest gate about both axes.
 double least_cosine(const AssociationGates& gates);
 
-/// Probability that a ribbon belongs to a plane, 0 outside of the gates (section 4.3). The
-/// distance is taken at the ribbon's centroid.
-double membership(const PosedRibbon& ribbon, const Hypothesis& plane,
-                  const AssociationGates& gates);
+/// How far a ribbon is from belonging to a plane: the square of its distance at the centroid and of
+/// its tilts along and across, each in sigmas; nothing outside of the gates (section 4.3).
+std::optional<double> square_sigmas(const PosedRibbon& ribbon, const Hypothesis& plane,
+                                    const AssociationGates& gates);
+
+/// The probability of that belonging.
+inline double membership(double square_sigmas) { return std::exp(-0.5 * square_sigmas); }
 
 /// True if two hypotheses are one plane within the gates: same side, same direction, and the points
 /// of the smaller one on the plane of the larger one.

@@ -33,7 +33,7 @@ int component_of(const PosedRibbon& ribbon, const Plane& plane,
 /// one's slope, which grows with the way.
 bool are_level(const Hypothesis& larger, const Hypothesis& smaller, const AssociationGates& gates) {
   const Eigen::Vector3d way = smaller.fit().mean - larger.fit().mean;
-  const double error_m = larger.tilt_sigma(way.normalized()) * way.norm();
+  const double error_m = std::sqrt(larger.tilt_variance(way));
   return std::abs(larger.signed_distance(smaller.fit().mean)) <
          std::max(gates.distance_m / 3.0, 2.0 * error_m);
 }

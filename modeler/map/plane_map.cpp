@@ -4,13 +4,17 @@
 
 #include <algorithm>
 #include <cmath>
-#include <map>
-#include <set>
-#include <unordered_map>
+#include <unordered_set>
 
 #include "modeler/geometry/sparing_vector.hpp"
 
 namespace ribbon_mapper {
+namespace {
+
+// A plane is fitted again when a hundredth of its area is new: far less than the gates would see.
+constexpr double most_unfitted_share = 0.01;
+
+}  // namespace
 
 PlaneMap::PlaneMap(const PlaneMapConfig& config, const AssociationGates& gates,
                    std::int64_t first_id)
@@ -24,28 +28,34 @@ PlaneMap::PlaneMap(const PlaneMapConfig& config, const AssociationGates& gates,
 void PlaneMap::add(const PosedRibbon& ribbon, std::uint32_t index) {
   const Eigen::Vector3f normal = ribbon.normal.cast<float>();
   const Eigen::Vector3f centroid = ribbon.centroid.cast<float>();
-  const auto may_hold = [&](std::uint32_t slot) {
+  const auto is_parallel = [&](std::uint32_t slot) {
+    return sides_[slot].normal.dot(normal) >= least_cosine_;
+  };
+  const auto is_close = [&](std::uint32_t slot) {
     const Side& side = sides_[slot];
-    return side.normal.dot(normal) >= least_cosine_ &&
-           std::abs(side.normal.dot(centroid) + side.d_m) <= most_distance_m_;
+    return std::abs(side.normal.dot(centroid) + side.d_m) <= most_distance_m_;
   };
   index_.voxels_of(ribbon, voxels_);
-  index_.near(voxels_, cube_side(ribbon.normal), may_hold, near_);
-  double best = 0.0;
+  index_.near(voxels_, cube_side(ribbon.normal), is_parallel, near_);
+  std::optional<double> least;
   std::uint32_t slot = 0;
   others_.clear();
   for (const std::uint32_t candidate : near_) {
-    const double probability = membership(ribbon, hypotheses_[candidate], gates_);
-    if (probability <= 0.0) continue;
+    if (!is_close(candidate)) continue;
+    const auto sigmas = square_sigmas(ribbon, hypotheses_[candidate], gates_);
+    if (!sigmas) continue;
     others_.push_back(candidate);
-    if (probability > best) best = probability, slot = candidate;
+    if (!least || *sigmas < *least) least = sigmas, slot = candidate;
   }
-  if (others_.empty()) {
-    slot = new_slot();
-    best = 1.0;
+  if (!least) slot = new_slot();
+  const auto probability = static_cast<float>(membership(least.value_or(0.0)));
+  Hypothesis& joined = hypotheses_[slot];
+  joined.collect(ribbon, {index, probability});
+  if (joined.unfitted_share() > most_unfitted_share) {
+    joined.refit();
+    refresh(slot);
   }
-  hypotheses_[slot].add(ribbon, {index, static_cast<float>(best)});
-  refresh(slot, voxels_);
+  index_.enter(slot, voxels_);
   if (others_.size() > 1) merge_with(others_, slot);
 }
 
@@ -63,11 +73,11 @@ std::uint32_t PlaneMap::new_slot() {
   return static_cast<std::uint32_t>(hypotheses_.size() - 1);
 }
 
-/// After a hypothesis has changed, and has come to touch these voxels, too.
-void PlaneMap::refresh(std::uint32_t slot, const std::vector<std::uint32_t>& voxels) {
+/// After a hypothesis has been fitted.
+void PlaneMap::refresh(std::uint32_t slot) {
   const Eigen::Vector3d& normal = hypotheses_[slot].normal();
   sides_[slot] = {normal.cast<float>(), static_cast<float>(hypotheses_[slot].d_m())};
-  index_.enter(slot, voxels, cube_sides_within(normal, reach_));
+  index_.list(slot, cube_sides_within(normal, reach_));
 }
 
 /// A ribbon that fits several hypotheses is where they meet: those that are one plane merge.
@@ -88,22 +98,39 @@ void PlaneMap::merge(std::uint32_t into, std::uint32_t from) {
   hypotheses_[into].absorb(hypotheses_[from]);
   hypotheses_[into].id = id;
   hypotheses_[from] = Hypothesis(0);
-  free_slots_.push_back(from);
-  refresh(into, index_.remove(from));
+  sides_[from] = Side{};
+  left_slots_.push_back(from);
+  refresh(into);
+  index_.enter(into, index_.withdraw(from));
+  if (left_slots_.size() < hypotheses_.size() / 4 + 16) return;
+  index_.forget_withdrawn();
+  free_slots_.insert(free_slots_.end(), left_slots_.begin(), left_slots_.end());
+  left_slots_.clear();
 }
 
 std::vector<Hypothesis> PlaneMap::hypotheses() const {
   std::vector<Hypothesis> alive;
   for (std::uint32_t slot = 0; slot < hypotheses_.size(); ++slot) {
-    if (is_alive(slot)) alive.push_back(hypotheses_[slot]);
+    if (!is_alive(slot)) continue;
+    alive.push_back(hypotheses_[slot]);
+    if (alive.back().unfitted_share() > 0.0) alive.back().refit();
   }
   std::sort(alive.begin(), alive.end(),
             [](const Hypothesis& a, const Hypothesis& b) { return a.id < b.id; });
   return alive;
 }
 
+void PlaneMap::refit() {
+  for (std::uint32_t slot = 0; slot < hypotheses_.size(); ++slot) {
+    if (!is_alive(slot) || hypotheses_[slot].unfitted_share() <= 0.0) continue;
+    hypotheses_[slot].refit();
+    refresh(slot);
+  }
+}
+
 std::vector<Hypothesis> PlaneMap::merged_hypotheses() const {
   PlaneMap work = *this;
+  work.refit();
   std::vector<std::uint32_t> order;
   for (std::uint32_t slot = 0; slot < hypotheses_.size(); ++slot) {
     if (is_alive(slot)) order.push_back(slot);
@@ -154,41 +181,52 @@ bool PlaneMap::absorb_neighbours(std::uint32_t slot) {
 
 void PlaneMap::take_ids_from(const PlaneMap& before,
                              const std::vector<std::uint32_t>& index_before) {
-  std::unordered_map<std::uint32_t, std::int64_t> id_before;  // of each ribbon
+  constexpr std::int64_t none = -1;
+  std::vector<std::int64_t> ids_before;  // of each ribbon
   for (const Hypothesis& plane : before.hypotheses_) {
-    for (const Member& member : plane.members()) id_before[member.ribbon] = plane.id;
+    for (const Member& member : plane.members()) {
+      if (member.ribbon >= ids_before.size()) ids_before.resize(member.ribbon + 1, none);
+      ids_before[member.ribbon] = plane.id;
+    }
   }
+  const auto id_before = [&](std::uint32_t ribbon) {
+    if (!index_before.empty()) ribbon = index_before[ribbon];
+    return ribbon < ids_before.size() ? ids_before[ribbon] : none;
+  };
   struct Share {
     std::size_t ribbons;
     std::int64_t id;
     std::uint32_t slot;
   };
   std::vector<Share> shares;
+  std::vector<std::int64_t> ids;  // of one hypothesis' ribbons
   for (std::uint32_t slot = 0; slot < hypotheses_.size(); ++slot) {
-    std::map<std::int64_t, std::size_t> ribbons;
+    ids.clear();
     for (const Member& member : hypotheses_[slot].members()) {
-      const auto found =
-          id_before.find(index_before.empty() ? member.ribbon : index_before[member.ribbon]);
-      if (found != id_before.end()) ++ribbons[found->second];
+      const std::int64_t id = id_before(member.ribbon);
+      if (id != none) ids.push_back(id);
     }
-    for (const auto& [id, count] : ribbons) shares.push_back({count, id, slot});
+    std::sort(ids.begin(), ids.end());
+    for (auto id = ids.begin(), next = id; id != ids.end(); id = next) {
+      next = std::find_if(id, ids.end(), [&](std::int64_t other) { return other != *id; });
+      shares.push_back({static_cast<std::size_t>(next - id), *id, slot});
+    }
   }
   std::stable_sort(shares.begin(), shares.end(),
                    [](const Share& a, const Share& b) { return a.ribbons > b.ribbons; });
-  std::set<std::int64_t> taken;
-  std::set<std::uint32_t> named;
+  std::unordered_set<std::int64_t> taken;
+  std::vector<bool> named(hypotheses_.size(), false);
   for (const Share& share : shares) {
-    if (taken.count(share.id) || named.count(share.slot)) continue;
+    if (named[share.slot] || !taken.insert(share.id).second) continue;
     hypotheses_[share.slot].id = share.id;
-    taken.insert(share.id);
-    named.insert(share.slot);
+    named[share.slot] = true;
   }
 }
 
 std::size_t PlaneMap::memory_bytes() const {
   std::size_t bytes = index_.memory_bytes() + hypotheses_.capacity() * sizeof(Hypothesis) +
                       sides_.capacity() * sizeof(Side) +
-                      free_slots_.capacity() * sizeof(std::uint32_t);
+                      (free_slots_.capacity() + left_slots_.capacity()) * sizeof(std::uint32_t);
   for (const Hypothesis& plane : hypotheses_) bytes += plane.members().capacity() * sizeof(Member);
   return bytes;
 }

@@ -38,11 +38,12 @@ class PlaneMap {
  private:
   /// Tells at once that most ribbons near a hypothesis are none of it, a quarter of a cache line.
   struct Side {
-    Eigen::Vector3f normal;
-    float d_m;
+    Eigen::Vector3f normal = Eigen::Vector3f::Zero();  // zero: of no hypothesis
+    float d_m = 0.0F;
   };
   std::uint32_t new_slot();
-  void refresh(std::uint32_t slot, const std::vector<std::uint32_t>& voxels);
+  void refresh(std::uint32_t slot);
+  void refit();
   void find_parallel(std::uint32_t slot);
   bool is_alive(std::uint32_t slot) const { return !hypotheses_[slot].members().empty(); }
   void merge(std::uint32_t into, std::uint32_t from);
@@ -56,7 +57,8 @@ class PlaneMap {
   std::int64_t next_id_;
   std::vector<Hypothesis> hypotheses_;        // by slot; without members: slot is free
   std::vector<Side> sides_;                   // by slot
-  std::vector<std::uint32_t> free_slots_;     // of what merged into others
+  std::vector<std::uint32_t> left_slots_;     // of what merged into others: still in the index
+  std::vector<std::uint32_t> free_slots_;     // to be used again
   std::vector<std::uint32_t> voxels_;         // scratch
   std::vector<std::uint32_t> near_, others_;  // scratch
 };

@@ -63,9 +63,10 @@ bool ReferencePlanes::is_witnessed(const Hypothesis& hypothesis, const Evidence&
 
 void ReferencePlanes::enter(std::uint32_t slot, const Hypothesis& hypothesis,
                             const Evidence& evidence) {
+  index_.list(slot, 1 << any_side);
   for (const Member& member : hypothesis.members()) {
     index_.voxels_of(evidence.ribbon(member.ribbon), voxels_);
-    index_.enter(slot, voxels_, 1 << any_side);
+    index_.enter(slot, voxels_);
   }
 }
 

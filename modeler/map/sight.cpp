@@ -26,7 +26,7 @@ Sight::Sight(const Ribbon& ribbon, double range_sigma_m, const Vector6& motion_v
       square(range_sigma_m) * (1.0 / here.moments.weight() + square(shared_part_of_sigma));
   variances[0] = range_variance + variance_along(normal, centroid, motion_variances);
   // Of a straight line through points spread evenly over its length.
-  variances[1] = 12.0 * range_variance / square(ribbon.samples.length_m()) +
+  variances[1] = 12.0 * range_variance / square(ribbon.length_m) +
                  along.cross(normal).cwiseAbs2().dot(motion_variances.tail<3>());
 }
 

@@ -43,10 +43,10 @@ class Density {
 
  private:
   void enter(const PosedRibbon& ribbon) {
-    const RibbonSamples& samples = ribbon.ribbon->samples;
-    const int steps = static_cast<int>(std::ceil(samples.length_m() / place_m));
+    const double length_m = ribbon.ribbon->length_m;
+    const int steps = static_cast<int>(std::ceil(length_m / place_m));
     for (int i = 0; i <= steps; ++i) {
-      const double along_m = samples.start_m + samples.length_m() * i / std::max(1, steps);
+      const double along_m = ribbon.ribbon->samples.start_m + length_m * i / std::max(1, steps);
       const VoxelKey voxel = voxel_key(ribbon.centroid + along_m * ribbon.along, place_m);
       const std::uint64_t key = KeyHash()(voxel) ^ static_cast<VoxelKey>(cube_side(ribbon.normal));
       const auto number = static_cast<std::uint32_t>(counts_.size());

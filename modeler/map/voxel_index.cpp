@@ -12,11 +12,6 @@ namespace {
 
 constexpr double steps_per_voxel = 4.0;  // along a ribbon
 
-void remove_from(std::vector<std::uint32_t>& slots, std::uint32_t slot) {
-  const auto place = std::find(slots.begin(), slots.end(), slot);
-  if (place != slots.end()) slots.erase(place);
-}
-
 }  // namespace
 
 std::uint32_t VoxelIndex::voxel_of(VoxelKey key) {
@@ -40,12 +35,12 @@ void VoxelIndex::list_what_is_near(Voxel& voxel) {
     for (const std::uint32_t slot : voxels_[around].slots) {
       if (entries_[slot].question == question_) continue;
       entries_[slot].question = question_;
-      list(slot, entries_[slot].sides, voxel);
+      list_at(voxel, slot, entries_[slot].sides);
     }
   }
 }
 
-void VoxelIndex::list(std::uint32_t slot, CubeSides sides, Voxel& voxel) {
+void VoxelIndex::list_at(Voxel& voxel, std::uint32_t slot, CubeSides sides) {
   for (int side = 0; side < cube_sides; ++side) {
     if ((sides & (1 << side)) == 0) continue;
     grow_sparingly(voxel.near[side]);
@@ -59,8 +54,7 @@ std::uint32_t VoxelIndex::voxel_at(const Eigen::Vector3d& point) {
 
 void VoxelIndex::voxels_of(const PosedRibbon& ribbon, std::vector<std::uint32_t>& voxels) {
   voxels.clear();
-  const RibbonSamples& samples = ribbon.ribbon->samples;
-  const double from_m = samples.start_m, length_m = samples.length_m();
+  const double from_m = ribbon.ribbon->samples.start_m, length_m = ribbon.ribbon->length_m;
   const int steps = static_cast<int>(std::ceil(steps_per_voxel * length_m / voxel_m_));
   const double step_m = steps > 0 ? length_m / steps : 0.0;
   VoxelKey last{};
@@ -86,18 +80,21 @@ void VoxelIndex::for_each_voxel_around(const std::vector<std::uint32_t>& voxels,
   }
 }
 
-void VoxelIndex::enter(std::uint32_t slot, const std::vector<std::uint32_t>& voxels,
-                       CubeSides sides) {
+void VoxelIndex::list(std::uint32_t slot, CubeSides sides) {
   while (entries_.size() <= slot) {
     grow_sparingly(entries_);
     entries_.emplace_back();
   }
   Entry& entry = entries_[slot];
+  const auto more = static_cast<CubeSides>(sides & ~entry.sides);
+  if (more == 0) return;
+  for_each_voxel_around(entry.touched, [&](Voxel& voxel) { list_at(voxel, slot, more); });
+  entry.sides |= more;
+}
+
+void VoxelIndex::enter(std::uint32_t slot, const std::vector<std::uint32_t>& voxels) {
+  Entry& entry = entries_[slot];
   std::vector<std::uint32_t>& touched = entry.touched;
-  if (const auto more = static_cast<CubeSides>(sides & ~entry.sides)) {
-    for_each_voxel_around(touched, [&](Voxel& voxel) { list(slot, more, voxel); });
-    entry.sides |= more;
-  }
   const bool is_new = touched.empty();
   if (is_new) touched.reserve(4);
   fresh_.clear();
@@ -114,21 +111,25 @@ void VoxelIndex::enter(std::uint32_t slot, const std::vector<std::uint32_t>& vox
   for_each_voxel_around(fresh_, [&](Voxel& voxel) {
     const std::vector<std::uint32_t>& near = voxel.near[side];
     if (is_new || std::find(near.begin(), near.end(), slot) == near.end()) {
-      list(slot, entry.sides, voxel);
+      list_at(voxel, slot, entry.sides);
     }
   });
 }
 
-std::vector<std::uint32_t> VoxelIndex::remove(std::uint32_t slot) {
-  const Entry entry = std::move(entries_[slot]);
-  entries_[slot] = {};
-  for_each_voxel_around(entry.touched, [&](Voxel& voxel) {
-    for (int side = 0; side < cube_sides; ++side) {
-      if (entry.sides & (1 << side)) remove_from(voxel.near[side], slot);
-    }
-  });
-  for (const std::uint32_t voxel : entry.touched) remove_from(voxels_[voxel].slots, slot);
-  return entry.touched;
+std::vector<std::uint32_t> VoxelIndex::withdraw(std::uint32_t slot) {
+  entries_[slot].sides = 0;
+  return std::move(entries_[slot].touched);
+}
+
+void VoxelIndex::forget_withdrawn() {
+  const auto forget = [&](std::vector<std::uint32_t>& slots) {
+    const auto is_withdrawn = [&](std::uint32_t slot) { return entries_[slot].sides == 0; };
+    slots.erase(std::remove_if(slots.begin(), slots.end(), is_withdrawn), slots.end());
+  };
+  for (Voxel& voxel : voxels_) {
+    forget(voxel.slots);
+    for (auto& near : voxel.near) forget(near);
+  }
 }
 
 std::size_t VoxelIndex::memory_bytes() const {

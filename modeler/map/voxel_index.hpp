@@ -27,13 +27,17 @@ class VoxelIndex {
   /// those of which it cuts a corner only.
   void voxels_of(const PosedRibbon& ribbon, std::vector<std::uint32_t>& voxels);
 
-  /// Enters a hypothesis (its slot) at the voxels and for the sides that it is not yet entered for.
-  void enter(std::uint32_t slot, const std::vector<std::uint32_t>& voxels,
-             CubeSides sides = all_cube_sides);
-  /// Returns the voxels that it was entered at; the slot is as good as new.
-  std::vector<std::uint32_t> remove(std::uint32_t slot);
+  /// Lists a hypothesis (its slot) for the sides that it is not yet listed for: at first of all.
+  void list(std::uint32_t slot, CubeSides sides);
+  /// Enters it at the voxels that it is not yet entered at.
+  void enter(std::uint32_t slot, const std::vector<std::uint32_t>& voxels);
+  /// Returns the voxels that a hypothesis was entered at. It is still listed there: near() must not
+  /// accept it, and the slot must not be entered again, before forget_withdrawn().
+  std::vector<std::uint32_t> withdraw(std::uint32_t slot);
+  /// Looks through all lists: for many at once.
+  void forget_withdrawn();
 
-  /// Slots near any of the voxels that are entered for the side and for which accepts(slot) is
+  /// Slots near any of the voxels that are listed for the side and for which accepts(slot) is
   /// true, each once.
   template <typename Accepts>
   void near(const std::vector<std::uint32_t>& voxels, int side, const Accepts& accepts,
@@ -41,8 +45,16 @@ class VoxelIndex {
     slots.clear();
     ++question_;
     for (const std::uint32_t voxel : voxels) {
-      for (const std::uint32_t slot : voxels_[voxel].near[side]) {
-        if (!accepts(slot) || entries_[slot].question == question_) continue;
+      const std::vector<std::uint32_t>& listed = voxels_[voxel].near[side];
+      if (accepted_.size() < listed.size()) accepted_.resize(2 * listed.size());
+      std::size_t count = 0;  // without branches, which nobody could predict
+      for (const std::uint32_t slot : listed) {
+        accepted_[count] = slot;
+        count += accepts(slot) ? 1 : 0;
+      }
+      for (std::size_t i = 0; i < count; ++i) {
+        const std::uint32_t slot = accepted_[i];
+        if (entries_[slot].question == question_) continue;
         entries_[slot].question = question_;
         slots.push_back(slot);
       }
@@ -64,12 +76,12 @@ class VoxelIndex {
   struct Entry {
     std::vector<std::uint32_t> touched;  // voxels, sorted
     std::uint32_t question = 0;
-    CubeSides sides = 0;
+    CubeSides sides = 0;  // none: withdrawn
   };
 
   std::uint32_t voxel_of(VoxelKey key);
   void list_what_is_near(Voxel& voxel);
-  void list(std::uint32_t slot, CubeSides sides, Voxel& voxel);
+  static void list_at(Voxel& voxel, std::uint32_t slot, CubeSides sides);
   template <typename Function>
   void for_each_voxel_around(const std::vector<std::uint32_t>& voxels, const Function& function);
 
@@ -78,7 +90,7 @@ class VoxelIndex {
   std::vector<Voxel> voxels_;
   std::vector<Entry> entries_;  // by slot
   std::uint32_t question_ = 0;
-  std::vector<std::uint32_t> fresh_;  // scratch
+  std::vector<std::uint32_t> accepted_, fresh_;  // scratch
 };
 
 }  // namespace ribbon_mapper

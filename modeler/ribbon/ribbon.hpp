@@ -23,6 +23,7 @@ struct Ribbon {
   Eigen::Vector3f along = Eigen::Vector3f::UnitX();   ///< unit direction of the run, in the plane
   float sigma_across_rad = 0.0F;                      ///< error of the normal about `along`
   float area_m2 = 0.0F;                               ///< sum of the surfel areas (eq. 2), capped
+  float length_m = 0.0F;                  ///< from the first sample to the last
   RibbonSamples samples;  ///< of the points of the middle line; kept by a PackedStore
 };
 

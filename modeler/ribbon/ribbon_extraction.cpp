@@ -147,6 +147,7 @@ void RibbonExtraction::make_ribbon(const LineBuffer& buffer, const Run& run, Poi
   ribbon.area_m2 =
       static_cast<float>(capped_area_m2(buffer, {core.begin, core.end}, config_.area_cap_m2));
   ribbon.samples = samples_of(line, core, moments.mean(), normal, along, store);
+  ribbon.length_m = ribbon.samples.length_m();
   ribbons_.push_back(ribbon);
 }
 

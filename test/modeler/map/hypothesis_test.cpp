@@ -27,7 +27,8 @@ Hypothesis wall() {
 }
 
 double membership_of(const Ribbon& ribbon, const AssociationGates& within = gates) {
-  return membership(PosedRibbon(ribbon, Pose::Identity()), wall(), within);
+  const auto sigmas = square_sigmas(PosedRibbon(ribbon, Pose::Identity()), wall(), within);
+  return sigmas ? membership(*sigmas) : 0.0;
 }
 
 /// A ribbon at the wall, moved by `distance_m` along x and turned about an axis by its own middle.
@@ -88,7 +89,7 @@ TEST(Hypothesis, TiltSigmaIsTheSpreadOfFits) {
     Hypothesis plane(0);
     plane.add(PosedRibbon(ribbon, Pose::Identity()), {0, 1.0F});
     square += std::pow(std::asin(plane.normal().y()), 2) / runs;
-    predicted += plane.tilt_sigma(y) / runs;
+    predicted += std::sqrt(plane.tilt_variance(y)) / runs;
   }
   EXPECT_NEAR(std::sqrt(square), predicted, 0.15 * predicted);
 }

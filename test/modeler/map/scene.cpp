@@ -39,6 +39,7 @@ Ribbon ribbon_of(const std::vector<Eigen::Vector3d>& points, const Eigen::Vector
   moments.spread(line_step_m * up.cross(along));
   ribbon.spread = moments;
   ribbon.samples = packer.pack();
+  ribbon.length_m = ribbon.samples.length_m();
   ribbon.samples.first = store.keep(ribbon.samples.first, ribbon.samples.size);
   return ribbon;
 }
