@@ -68,10 +68,8 @@ struct Modeler::State {
 
   /// Where corrected poses are too far apart for the odometry to be believed in between.
   void register_lines() {
-    const std::vector<RecordedPose> recorded = trajectory.recorded();
-    const std::vector<StampedPose> poses = trajectory.poses();
-    const std::vector<StampedPose> registered = registered_poses(
-        {ribbons, recorded, trajectory.corrected(), poses}, config.map, config.scan.range_sigma_m);
+    const std::vector<StampedPose> registered =
+        registered_poses(ribbons, trajectory, config.map, config.scan.range_sigma_m);
     if (!registered.empty()) trajectory.refine(registered);
   }
 

@@ -21,7 +21,10 @@ void PackedPoses::keep(const std::vector<std::uint32_t>& indices) { keep_only(in
 
 Pose PackedPoses::operator[](std::size_t index) const {
   const Packed& p = poses_[index];
-  return Eigen::Translation3d(p[4], p[5], p[6]) * Eigen::Quaterniond(p[3], p[0], p[1], p[2]);
+  Pose pose = Pose::Identity();
+  pose.linear() = Eigen::Quaterniond(p[3], p[0], p[1], p[2]).toRotationMatrix();
+  pose.translation() << p[4], p[5], p[6];
+  return pose;
 }
 
 }  // namespace ribbon_mapper

@@ -9,16 +9,26 @@
 namespace ribbon_mapper {
 namespace {
 
+/// Number of poses that are not later.
+std::size_t count_until(const RecordedPoses& poses, Time time) {
+  const std::vector<Time>& stamps = poses.stamps();
+  return static_cast<std::size_t>(std::upper_bound(stamps.begin(), stamps.end(), time) -
+                                  stamps.begin());
+}
+
+double fraction_of(Time time, Time from, Time to) {
+  return to_seconds(time - from) / to_seconds(to - from);
+}
+
 /// The recorded pose at a time within the recording's, interpolated.
-RecordedPose recorded_at(const std::vector<RecordedPose>& recorded, Time time) {
-  const auto is_before = [](Time t, const RecordedPose& pose) { return t < pose.in_map.stamp; };
-  const auto after = std::upper_bound(recorded.begin(), recorded.end(), time, is_before);
-  const RecordedPose& from = *(after - 1);
-  if (from.in_map.stamp == time || after == recorded.end()) return from;
-  const double fraction =
-      to_seconds(time - from.in_map.stamp) / to_seconds(after->in_map.stamp - from.in_map.stamp);
-  return {{time, interpolate(from.in_map.T_map_base, after->in_map.T_map_base, fraction)},
-          interpolate(from.T_odom_base, after->T_odom_base, fraction)};
+RecordedPose recorded_at(const RecordedPoses& recorded, Time time) {
+  const std::size_t after = count_until(recorded, time);
+  const RecordedPose from = recorded[after - 1];
+  if (from.in_map.stamp == time || after == recorded.size()) return from;
+  const RecordedPose to = recorded[after];
+  const double fraction = fraction_of(time, from.in_map.stamp, to.in_map.stamp);
+  return {{time, interpolate(from.in_map.T_map_base, to.in_map.T_map_base, fraction)},
+          interpolate(from.T_odom_base, to.T_odom_base, fraction)};
 }
 
 void require_usable(const std::vector<StampedPose>& trajectory) {
@@ -38,41 +48,42 @@ void require_usable(const std::vector<StampedPose>& trajectory) {
 
 }  // namespace
 
-Correction::Correction(const std::vector<RecordedPose>& recorded,
-                       const std::vector<StampedPose>& corrected) {
+Correction::Correction(const RecordedPoses& recorded, const std::vector<StampedPose>& corrected) {
   require_usable(corrected);
-  const Time first = recorded.front().in_map.stamp, last = recorded.back().in_map.stamp;
-  changes_.reserve(corrected.size());
-  poses_.reserve(corrected.size());
+  const Time first = recorded.stamps().front(), last = recorded.stamps().back();
   for (const StampedPose& pose : corrected) {
     if (pose.stamp < first || pose.stamp > last) continue;
-    const RecordedPose was = recorded_at(recorded, pose.stamp);
-    changes_.push_back({pose.stamp,
-                        pose.T_map_base * was.in_map.T_map_base.inverse(Eigen::Isometry),
-                        pose.T_map_base * was.T_odom_base.inverse(Eigen::Isometry)});
-    poses_.push_back({pose, was.T_odom_base});
+    poses_.push_back({pose, recorded_at(recorded, pose.stamp).T_odom_base});
   }
-  if (changes_.empty()) {
+  if (poses_.empty()) {
     throw std::invalid_argument(
         "no pose of the corrected trajectory lies within the model's time (" +
         std::to_string(to_seconds(first)) + " to " + std::to_string(to_seconds(last)) +
         " s): is it of another run?");
   }
+  const auto change_at = [&](std::size_t index) {
+    const StampedPose now = poses_[index].in_map;
+    const Pose T_map_base = recorded_at(recorded, now.stamp).in_map.T_map_base;
+    return now.T_map_base * T_map_base.inverse(Eigen::Isometry);
+  };
+  first_change_ = change_at(0), last_change_ = change_at(poses_.size() - 1);
 }
 
 Pose Correction::corrected(const RecordedPose& recorded) const {
   const Time stamp = recorded.in_map.stamp;
-  const auto after =
-      std::upper_bound(changes_.begin(), changes_.end(), stamp,
-                       [](Time time, const Change& change) { return time < change.stamp; });
-  if (after == changes_.begin()) return after->T_corrected_map * recorded.in_map.T_map_base;
-  const Change& from = *(after - 1);
-  if (from.stamp == stamp) return from.T_corrected_odom * recorded.T_odom_base;
-  if (after == changes_.end()) return from.T_corrected_map * recorded.in_map.T_map_base;
+  const std::size_t after = count_until(poses_, stamp), from = after - 1;
+  if (after == 0) return first_change_ * recorded.in_map.T_map_base;
+  if (poses_.stamps()[from] == stamp) return poses_.T_map_base()[from];
+  if (after == poses_.size()) return last_change_ * recorded.in_map.T_map_base;
   // The change of the position is that at the robot's own place, not at the map's origin.
-  const double fraction = to_seconds(stamp - from.stamp) / to_seconds(after->stamp - from.stamp);
-  return interpolate(from.T_corrected_odom * recorded.T_odom_base,
-                     after->T_corrected_odom * recorded.T_odom_base, fraction);
+  return interpolate(T_corrected_odom(from) * recorded.T_odom_base,
+                     T_corrected_odom(after) * recorded.T_odom_base,
+                     fraction_of(stamp, poses_.stamps()[from], poses_.stamps()[after]));
+}
+
+Pose Correction::T_corrected_odom(std::size_t index) const {
+  const RecordedPose pose = poses_[index];
+  return pose.in_map.T_map_base * pose.T_odom_base.inverse(Eigen::Isometry);
 }
 
 }  // namespace ribbon_mapper

@@ -5,14 +5,9 @@
 #include <vector>
 
 #include "modeler/geometry/pose.hpp"
+#include "modeler/map/recorded_poses.hpp"
 
 namespace ribbon_mapper {
-
-/// A pose as it was recorded: where localisation and odometry believed the base to be.
-struct RecordedPose {
-  StampedPose in_map;
-  Pose T_odom_base = Pose::Identity();
-};
 
 /// Change of a trajectory: what takes a pose as it was recorded to where a corrected trajectory
 /// says it was. At a corrected pose's time it is exactly that pose. Between two of them the robot
@@ -25,21 +20,18 @@ class Correction {
   /// Poses of `corrected` that lie outside of the time of `recorded` (in order, not empty) are left
   /// out. Throws std::invalid_argument saying what is wrong if `corrected` is empty, not strictly
   /// in order, not finite, or if none of its poses lies within the time of `recorded`.
-  Correction(const std::vector<RecordedPose>& recorded, const std::vector<StampedPose>& corrected);
+  Correction(const RecordedPoses& recorded, const std::vector<StampedPose>& corrected);
 
   Pose corrected(const RecordedPose& recorded) const;
 
   /// The corrected poses that lie within the time of the recorded ones, with the odometry then.
-  const std::vector<RecordedPose>& poses() const { return poses_; }
+  const RecordedPoses& poses() const { return poses_; }
 
  private:
-  struct Change {
-    Time stamp;
-    Pose T_corrected_map;   ///< takes recorded poses in map to corrected ones
-    Pose T_corrected_odom;  ///< the same for poses in odom
-  };
-  std::vector<Change> changes_;
-  std::vector<RecordedPose> poses_;  // of the changes
+  Pose T_corrected_odom(std::size_t index) const;
+
+  RecordedPoses poses_;
+  Pose first_change_, last_change_;  // take recorded poses in map to corrected ones
 };
 
 }  // namespace ribbon_mapper

@@ -21,6 +21,7 @@ class Evidence {
     if (poses.empty()) return;
     T_map_world_ = poses.front().T_map_base;
     const Pose T_world_map = T_map_world_.inverse(Eigen::Isometry);
+    T_world_base_.reserve(poses.size());
     for (const StampedPose& pose : poses) T_world_base_.emplace_back(T_world_map * pose.T_map_base);
   }
 

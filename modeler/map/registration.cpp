@@ -24,7 +24,8 @@ constexpr double placed_at_first = 0.5, placed_in_the_end = 0.25;
 
 class Registration {
  public:
-  Registration(const CorrectedLines& lines, const PlaneMapConfig& config, double range_sigma_m);
+  Registration(const std::vector<Ribbon>& ribbons, const Trajectory& trajectory,
+               std::vector<Span> spans, const PlaneMapConfig& config, double range_sigma_m);
 
   bool is_needed() const { return !spans_.empty(); }
   void evaluate_planes_and_poses();
@@ -32,7 +33,7 @@ class Registration {
 
  private:
   void take_spans(std::vector<Span> spans);
-  void view_ribbons();
+  void view_ribbons(const PackedPoses& T_odom_base);
   Bridge bridge_over(const Span& span) const;
   bool is_to_be_registered(const Span& span) const;
   void start(const Span& span);
@@ -43,7 +44,7 @@ class Registration {
   void place(std::uint32_t line, const PoseBelief& belief, double part_of_gate);
   double sigma_m(std::uint32_t line, const PoseBelief& belief) const;
 
-  const CorrectedLines& lines_;
+  const std::vector<Ribbon>& ribbons_;
   const PlaneMapConfig& config_;
   double range_sigma_m_;
   OdometryNoise noise_;
@@ -81,21 +82,20 @@ std::optional<Pose> in_world(const Pose& T_map_world, const std::optional<Pose>&
   return T_map_world.inverse(Eigen::Isometry) * *T_map_base;
 }
 
-Registration::Registration(const CorrectedLines& lines, const PlaneMapConfig& config,
+Registration::Registration(const std::vector<Ribbon>& ribbons, const Trajectory& trajectory,
+                           std::vector<Span> spans, const PlaneMapConfig& config,
                            double range_sigma_m)
-    : lines_(lines),
+    : ribbons_(ribbons),
       config_(config),
       range_sigma_m_(range_sigma_m),
-      poses_(lines.poses),
-      next_poses_(lines.poses),
-      is_placed_(lines.poses.size(), 1),
-      witness_(lines.poses.size(), ReferencePlanes::kSure),
-      is_fixed_(lines.poses.size(), 1),
-      T_map_world_(lines.poses.front().T_map_base) {
-  std::vector<Span> spans = spans_between(lines.recorded, lines.corrected);
-  if (most_lines_of_bridge(spans) <= lines_of_ribbon) return;
-  noise_ = fitted_to(odometry_checks(spans));
-  view_ribbons();
+      noise_(fitted_to(odometry_checks(spans))),
+      poses_(trajectory.poses()),
+      next_poses_(poses_),
+      is_placed_(poses_.size(), 1),
+      witness_(poses_.size(), ReferencePlanes::kSure),
+      is_fixed_(poses_.size(), 1),
+      T_map_world_(poses_.front().T_map_base) {
+  view_ribbons(trajectory.recorded().T_odom_base());
   take_spans(std::move(spans));
 }
 
@@ -112,12 +112,11 @@ void Registration::take_spans(std::vector<Span> spans) {
   }
 }
 
-void Registration::view_ribbons() {
+void Registration::view_ribbons(const PackedPoses& T_odom_base) {
   sights_.resize(poses_.size());
-  for (const Ribbon& ribbon : lines_.ribbons) {
+  for (const Ribbon& ribbon : ribbons_) {
     const std::size_t next = std::min<std::size_t>(ribbon.pose + 1, poses_.size() - 1);
-    const Pose step = lines_.recorded[next - 1].T_odom_base.inverse(Eigen::Isometry) *
-                      lines_.recorded[next].T_odom_base;
+    const Pose step = T_odom_base[next - 1].inverse(Eigen::Isometry) * T_odom_base[next];
     // On average a beam is a quarter of the time between lines from the middle of its line.
     const Vector6 motion = 0.25 * noise_.variances(step);
     sights_[ribbon.pose].emplace_back(ribbon, range_sigma_m_, motion);
@@ -206,7 +205,7 @@ void Registration::evaluate_planes_and_poses() {
   const std::vector<StrayPoints> no_strays;
   for (int round = 0; round < rounds; ++round) {
     poses_ = next_poses_;
-    const Evidence evidence(lines_.ribbons, no_strays, poses_);
+    const Evidence evidence(ribbons_, no_strays, poses_);
     T_map_world_ = evidence.T_map_world();
     ReferencePlanes reference(evidence, is_placed_, witness_, config_);
     find_planes_near(evidence, reference);
@@ -228,9 +227,12 @@ void Registration::take_over(const LineChain& chain, const Span& span) {
 
 }  // namespace
 
-std::vector<StampedPose> registered_poses(const CorrectedLines& lines, const PlaneMapConfig& config,
-                                          double range_sigma_m) {
-  Registration registration(lines, config, range_sigma_m);
+std::vector<StampedPose> registered_poses(const std::vector<Ribbon>& ribbons,
+                                          const Trajectory& trajectory,
+                                          const PlaneMapConfig& config, double range_sigma_m) {
+  std::vector<Span> spans = spans_between(trajectory.recorded(), trajectory.corrected());
+  if (most_lines_of_bridge(spans) <= lines_of_ribbon) return {};
+  Registration registration(ribbons, trajectory, std::move(spans), config, range_sigma_m);
   if (!registration.is_needed()) return {};
   registration.evaluate_planes_and_poses();
   return registration.poses();

@@ -2,24 +2,15 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <cstdint>
 #include <vector>
 
-#include "modeler/map/correction.hpp"
 #include "modeler/map/plane_map_config.hpp"
+#include "modeler/map/trajectory.hpp"
 #include "modeler/ribbon/ribbon.hpp"
 
 namespace ribbon_mapper {
 
-/// The lines of a model with their poses after a correction.
-struct CorrectedLines {
-  const std::vector<Ribbon>& ribbons;          ///< in the order of their lines
-  const std::vector<RecordedPose>& recorded;   ///< of each line
-  const std::vector<RecordedPose>& corrected;  ///< the corrected poses, with their odometry
-  const std::vector<StampedPose>& poses;       ///< of each line, as interpolated between those
-};
-
-/// Poses of all lines, of which those between corrected poses are where the model itself tells.
+/// Poses of all lines of a corrected trajectory, of which those between corrected poses are where the model itself tells.
 ///
 /// Between two corrected poses the odometry's error is a random walk that is zero at both. Where it
 /// may have moved ribbons off their planes, the lines are registered against the planes of those
@@ -35,7 +26,9 @@ struct CorrectedLines {
 /// odometry's error ribbons may lie further off (one sigma) than what a ribbon itself can tell, see
 /// shared_part_of_sigma. The result is empty if there is none: corrected poses are nearly as dense
 /// as the lines, there is but one, or the odometry is good enough to be believed between them.
-std::vector<StampedPose> registered_poses(const CorrectedLines& lines, const PlaneMapConfig& config,
-                                          double range_sigma_m);
+/// `ribbons`: in the order of their lines.
+std::vector<StampedPose> registered_poses(const std::vector<Ribbon>& ribbons,
+                                          const Trajectory& trajectory,
+                                          const PlaneMapConfig& config, double range_sigma_m);
 
 }  // namespace ribbon_mapper

@@ -5,36 +5,36 @@
 namespace ribbon_mapper {
 namespace {
 
-/// The lines from `first` on that lie before `to`, behind `from`; null: no corrected pose.
-Span span_from(const std::vector<RecordedPose>& recorded, std::uint32_t first,
-               const RecordedPose* from, const RecordedPose* to) {
+/// Of the lines [first, end) between two corrected poses, or beyond their ends.
+Span span_of(const RecordedPoses& recorded, std::uint32_t first, std::uint32_t end,
+             const std::optional<RecordedPose>& from, const std::optional<RecordedPose>& to) {
   Span span;
-  span.first_line = first;
-  std::uint32_t end = first;
-  while (end < recorded.size() && (!to || recorded[end].in_map.stamp < to->in_map.stamp)) ++end;
-  span.end_line = end;
-  if (end == first) return span;
+  span.first_line = first, span.end_line = end;
   if (from) span.T_map_first = from->in_map.T_map_base;
   if (to) span.T_map_last = to->in_map.T_map_base;
-  span.T_odom_base.push_back((from ? *from : recorded[first]).T_odom_base);
-  for (std::uint32_t i = first; i < end; ++i) span.T_odom_base.push_back(recorded[i].T_odom_base);
-  span.T_odom_base.push_back((to ? *to : recorded[end - 1]).T_odom_base);
+  span.T_odom_base.push_back(from ? from->T_odom_base : recorded.T_odom_base()[first]);
+  for (std::uint32_t i = first; i < end; ++i) span.T_odom_base.push_back(recorded.T_odom_base()[i]);
+  span.T_odom_base.push_back(to ? to->T_odom_base : recorded.T_odom_base()[end - 1]);
   return span;
+}
+
+std::optional<RecordedPose> pose_at(const RecordedPoses& poses, std::size_t index) {
+  return index < poses.size() ? std::optional(poses[index]) : std::nullopt;
 }
 
 }  // namespace
 
-std::vector<Span> spans_between(const std::vector<RecordedPose>& recorded,
-                                const std::vector<RecordedPose>& corrected) {
+std::vector<Span> spans_between(const RecordedPoses& recorded, const RecordedPoses& corrected) {
+  const std::vector<Time>&lines = recorded.stamps(), &ends = corrected.stamps();
   std::vector<Span> spans;
   std::uint32_t line = 0;
-  for (std::size_t i = 0; i <= corrected.size(); ++i) {
-    const RecordedPose* from = i > 0 ? &corrected[i - 1] : nullptr;
-    const RecordedPose* to = i < corrected.size() ? &corrected[i] : nullptr;
-    if (from && line < recorded.size() && recorded[line].in_map.stamp == from->in_map.stamp) ++line;
-    Span span = span_from(recorded, line, from, to);
-    line = span.end_line;
-    if (span.lines() > 0) spans.push_back(std::move(span));
+  for (std::size_t i = 0; i <= ends.size(); ++i) {
+    if (i > 0 && line < lines.size() && lines[line] == ends[i - 1]) ++line;
+    const std::uint32_t first = line;
+    while (line < lines.size() && (i == ends.size() || lines[line] < ends[i])) ++line;
+    if (line == first) continue;
+    const auto from = i > 0 ? pose_at(corrected, i - 1) : std::nullopt;
+    spans.push_back(span_of(recorded, first, line, from, pose_at(corrected, i)));
   }
   return spans;
 }

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "modeler/geometry/pose.hpp"
-#include "modeler/map/correction.hpp"
+#include "modeler/map/recorded_poses.hpp"
 
 namespace ribbon_mapper {
 
@@ -25,8 +25,7 @@ struct Span {
 
 /// All spans of at least one line, in order. `corrected`: poses in map with the odometry of their
 /// time, not empty.
-std::vector<Span> spans_between(const std::vector<RecordedPose>& recorded,
-                                const std::vector<RecordedPose>& corrected);
+std::vector<Span> spans_between(const RecordedPoses& recorded, const RecordedPoses& corrected);
 
 /// From each of the span's poses to the next.
 std::vector<Pose> odometry_steps(const Span& span);

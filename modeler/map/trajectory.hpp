@@ -31,21 +31,19 @@ class Trajectory {
   /// Takes over the poses of all lines, registered between the corrected ones; stamps as they are.
   void refine(const std::vector<StampedPose>& poses);
 
-  std::size_t size() const { return stamps_.size(); }
+  std::size_t size() const { return recorded_.size(); }
   /// As it is now.
   Pose T_map_base(std::size_t index) const;
   std::vector<StampedPose> poses() const;
-  RecordedPose recorded(std::size_t index) const;
-  std::vector<RecordedPose> recorded() const;
+  const RecordedPoses& recorded() const { return recorded_; }
   /// The corrected poses within the time of the model, with their odometry; only if is_corrected().
-  const std::vector<RecordedPose>& corrected() const { return correction_->poses(); }
+  const RecordedPoses& corrected() const { return correction_->poses(); }
   bool is_corrected() const { return correction_.has_value(); }
   std::size_t memory_bytes() const;
 
  private:
   CorrectionConfig config_;
-  std::vector<Time> stamps_;
-  PackedPoses T_map_base_recorded_, T_odom_base_recorded_;
+  RecordedPoses recorded_;
   PackedPoses T_map_base_;  // empty before the first correction
   std::optional<Correction> correction_;
 };

@@ -99,6 +99,9 @@ void VoxelIndex::enter(std::uint32_t slot, const std::vector<std::uint32_t>& vox
   if (is_new) touched.reserve(4);
   fresh_.clear();
   for (const std::uint32_t voxel : voxels) {
+    std::uint32_t& recent = entry.recent[voxel % entry.recent.size()];
+    if (recent == voxel + 1) continue;
+    recent = voxel + 1;
     const auto place = std::lower_bound(touched.begin(), touched.end(), voxel);
     if (place != touched.end() && *place == voxel) continue;
     touched.insert(place, voxel);
@@ -110,15 +113,17 @@ void VoxelIndex::enter(std::uint32_t slot, const std::vector<std::uint32_t>& vox
   while ((entry.sides & (1 << side)) == 0) ++side;
   for_each_voxel_around(fresh_, [&](Voxel& voxel) {
     const std::vector<std::uint32_t>& near = voxel.near[side];
-    if (is_new || std::find(near.begin(), near.end(), slot) == near.end()) {
+    // From the back: most were listed for the voxels met just before.
+    if (is_new || std::find(near.rbegin(), near.rend(), slot) == near.rend()) {
       list_at(voxel, slot, entry.sides);
     }
   });
 }
 
 std::vector<std::uint32_t> VoxelIndex::withdraw(std::uint32_t slot) {
-  entries_[slot].sides = 0;
-  return std::move(entries_[slot].touched);
+  const std::vector<std::uint32_t> touched = std::move(entries_[slot].touched);
+  entries_[slot] = {};
+  return touched;
 }
 
 void VoxelIndex::forget_withdrawn() {

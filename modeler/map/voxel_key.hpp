@@ -15,11 +15,13 @@ using VoxelKey = std::uint64_t;
 constexpr int voxel_key_bits = 21;
 
 inline VoxelKey voxel_key(const Eigen::Vector3d& point, double voxel_m) {
+  constexpr std::int64_t mask = (1 << voxel_key_bits) - 1, middle = 1 << (voxel_key_bits - 1);
   const double voxels_per_m = 1.0 / voxel_m;
   VoxelKey key = 0;
   for (int i = 0; i < 3; ++i) {
-    const auto place = floor_to_int(voxels_per_m * point[i]) + (1 << (voxel_key_bits - 1));
-    key = (key << voxel_key_bits) | (static_cast<VoxelKey>(place) & ((1u << voxel_key_bits) - 1));
+    // Not negative within the range: the cast rounds down.
+    const auto place = static_cast<std::int64_t>(voxels_per_m * point[i] + middle);
+    key = (key << voxel_key_bits) | static_cast<VoxelKey>(place & mask);
   }
   return key;
 }

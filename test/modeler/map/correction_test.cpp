@@ -30,8 +30,8 @@ Poses wriggling() {
 /// A localisation that never jumps: map and odom are one.
 RecordedPose recorded_as(const StampedPose& pose) { return {pose, pose.T_map_base}; }
 
-std::vector<RecordedPose> recorded_as(const Poses& poses) {
-  std::vector<RecordedPose> recorded;
+RecordedPoses recorded_as(const Poses& poses) {
+  RecordedPoses recorded;
   for (const StampedPose& pose : poses) recorded.push_back(recorded_as(pose));
   return recorded;
 }
@@ -106,7 +106,7 @@ TEST(Trajectory, IsCorrectedFromTheRecordedPosesEachTime) {
     trajectory.correct({{recorded[10].stamp, T * recorded[10].T_map_base}});
     EXPECT_TRUE(trajectory.is_corrected());
     EXPECT_LT(distance(T * recorded[77].T_map_base, trajectory.poses()[77].T_map_base), 1e-9);
-    EXPECT_LT(distance(recorded[77].T_map_base, trajectory.recorded(77).in_map.T_map_base), 1e-12);
+    EXPECT_LT(distance(recorded[77].T_map_base, trajectory.recorded()[77].in_map.T_map_base), 1e-12);
   }
 }
 

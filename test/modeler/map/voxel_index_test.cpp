@@ -25,10 +25,10 @@ bool are_neighbours(const Vector& a, const Vector& b) {
   return (va - vb).cwiseAbs().maxCoeff() <= 1.0;
 }
 
-Slots near(VoxelIndex& index, const Vector& point) {
+Slots near(VoxelIndex& index, const Vector& point, int side = 0) {
   Slots slots;
-  index.near(
-      {index.voxel_at(point)}, [](std::uint32_t) { return true; }, slots);
+  const auto all = [](std::uint32_t) { return true; };
+  index.near({index.voxel_at(point)}, side, all, slots);
   std::sort(slots.begin(), slots.end());
   return slots;
 }
@@ -43,6 +43,7 @@ TEST(VoxelIndex, FindsWhatIsInTheVoxelOrNextToIt) {
       places[slot].push_back(random_point(random));
       keys.push_back(index.voxel_at(places[slot].back()));
     }
+    index.list(slot, all_cube_sides);
     index.enter(slot, keys);
   }
   for (int i = 0; i < 500; ++i) {
@@ -57,19 +58,53 @@ TEST(VoxelIndex, FindsWhatIsInTheVoxelOrNextToIt) {
   }
 }
 
-TEST(VoxelIndex, WhatIsUnitedIsFoundUnderOneSlot) {
+TEST(VoxelIndex, WhatIsWithdrawnLeavesItsVoxelsToAnother) {
   VoxelIndex index(voxel_m);
+  index.list(0, 1), index.list(1, 1);
   index.enter(0, {index.voxel_at({0.1, 0.1, 0.1})});
   index.enter(1, {index.voxel_at({2.1, 0.1, 0.1}), index.voxel_at({2.6, 0.1, 0.1})});
-  index.unite(0, 1);
+  index.enter(0, index.withdraw(1));
+  index.forget_withdrawn();
   EXPECT_EQ(Slots{0}, near(index, {0.1, 0.1, 0.1}));
   EXPECT_EQ(Slots{0}, near(index, {2.6, 0.1, 0.1}));
   EXPECT_EQ(3u, index.touched_by(0).size());
   EXPECT_TRUE(index.touched_by(1).empty());
 }
 
+TEST(VoxelIndex, IsFoundFromItsSidesOnly) {
+  VoxelIndex index(voxel_m);
+  const std::vector<std::uint32_t> here{index.voxel_at({0.1, 0.1, 0.1})};
+  index.list(0, 1 << 2);
+  index.enter(0, here);
+  EXPECT_TRUE(near(index, {0.1, 0.1, 0.1}, 3).empty());
+  index.list(0, 1 << 3);
+  EXPECT_EQ(Slots{0}, near(index, {0.1, 0.1, 0.1}, 3));
+  EXPECT_EQ(Slots{0}, near(index, {0.1, 0.1, 0.1}, 2));
+  EXPECT_EQ(Slots{0}, near(index, {-0.1, 0.1, 0.1}, 3));  // met after the slot was entered
+}
+
+TEST(CubeSides, HoldAllThatIsWithinReach) {
+  std::mt19937 random(3);
+  std::normal_distribution<double> noise;
+  const auto direction = [&] { return Vector(noise(random), noise(random), noise(random)); };
+  constexpr double reach = 0.15;
+  int more_than_one = 0;
+  for (int i = 0; i < 2000; ++i) {
+    const Vector a = direction().normalized();
+    const CubeSides sides = cube_sides_within(a, reach);
+    more_than_one += (sides & (sides - 1)) != 0;
+    for (int k = 0; k < 50; ++k) {
+      const Vector b = (a + reach * direction().normalized()).normalized();
+      if ((a - b).norm() > reach) continue;
+      EXPECT_TRUE(sides & (1 << cube_side(b)));
+    }
+  }
+  EXPECT_LT(more_than_one, 1000);  // of 2000: a list of all would be no use
+}
+
 TEST(VoxelIndex, FarAwayIsNowhere) {
   VoxelIndex index(voxel_m);
+  index.list(0, all_cube_sides);
   index.enter(0, {index.voxel_at({0.1, 0.1, 0.1})});
   EXPECT_TRUE(near(index, {-400.0, 30.0, 2.0}).empty());
   EXPECT_TRUE(near(index, {1.1, 0.1, 0.1}).empty());
