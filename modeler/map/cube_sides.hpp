@@ -21,6 +21,13 @@ inline int cube_side(const Eigen::Vector3d& direction) {
 using CubeSides = std::uint8_t;
 constexpr CubeSides all_cube_sides = (1 << cube_sides) - 1;
 
+inline int first_side(CubeSides sides) { return __builtin_ctz(sides); }
+
+template <typename Function>
+void for_each_side(CubeSides sides, const Function& function) {
+  for (unsigned left = sides; left != 0; left &= left - 1) function(__builtin_ctz(left));
+}
+
 /// The sides that unit vectors point through whose distance from `direction` (of the tips) is at
 /// most `reach`; near a corner it may be one more.
 inline CubeSides cube_sides_within(const Eigen::Vector3d& direction, double reach) {

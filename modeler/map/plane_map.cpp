@@ -98,14 +98,9 @@ void PlaneMap::merge(std::uint32_t into, std::uint32_t from) {
   hypotheses_[into].absorb(hypotheses_[from]);
   hypotheses_[into].id = id;
   hypotheses_[from] = Hypothesis(0);
-  sides_[from] = Side{};
-  left_slots_.push_back(from);
+  free_slots_.push_back(from);
   refresh(into);
-  index_.enter(into, index_.withdraw(from));
-  if (left_slots_.size() < hypotheses_.size() / 4 + 16) return;
-  index_.forget_withdrawn();
-  free_slots_.insert(free_slots_.end(), left_slots_.begin(), left_slots_.end());
-  left_slots_.clear();
+  index_.enter(into, index_.remove(from));
 }
 
 std::vector<Hypothesis> PlaneMap::hypotheses() const {
@@ -226,7 +221,7 @@ void PlaneMap::take_ids_from(const PlaneMap& before,
 std::size_t PlaneMap::memory_bytes() const {
   std::size_t bytes = index_.memory_bytes() + hypotheses_.capacity() * sizeof(Hypothesis) +
                       sides_.capacity() * sizeof(Side) +
-                      (free_slots_.capacity() + left_slots_.capacity()) * sizeof(std::uint32_t);
+                      free_slots_.capacity() * sizeof(std::uint32_t);
   for (const Hypothesis& plane : hypotheses_) bytes += plane.members().capacity() * sizeof(Member);
   return bytes;
 }

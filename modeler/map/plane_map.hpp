@@ -38,8 +38,8 @@ class PlaneMap {
  private:
   /// Tells at once that most ribbons near a hypothesis are none of it, a quarter of a cache line.
   struct Side {
-    Eigen::Vector3f normal = Eigen::Vector3f::Zero();  // zero: of no hypothesis
-    float d_m = 0.0F;
+    Eigen::Vector3f normal;
+    float d_m;
   };
   std::uint32_t new_slot();
   void refresh(std::uint32_t slot);
@@ -57,8 +57,7 @@ class PlaneMap {
   std::int64_t next_id_;
   std::vector<Hypothesis> hypotheses_;        // by slot; without members: slot is free
   std::vector<Side> sides_;                   // by slot
-  std::vector<std::uint32_t> left_slots_;     // of what merged into others: still in the index
-  std::vector<std::uint32_t> free_slots_;     // to be used again
+  std::vector<std::uint32_t> free_slots_;     // of what merged into others
   std::vector<std::uint32_t> voxels_;         // scratch
   std::vector<std::uint32_t> near_, others_;  // scratch
 };

@@ -12,6 +12,16 @@ namespace {
 
 constexpr double steps_per_voxel = 4.0;  // along a ribbon
 
+/// Those that were entered last are at the end, and are asked for most.
+bool holds(const std::vector<std::uint32_t>& slots, std::uint32_t slot) {
+  return std::find(slots.rbegin(), slots.rend(), slot) != slots.rend();
+}
+
+void remove_from(std::vector<std::uint32_t>& slots, std::uint32_t slot) {
+  *std::find(slots.rbegin(), slots.rend(), slot) = slots.back();
+  slots.pop_back();
+}
+
 }  // namespace
 
 std::uint32_t VoxelIndex::voxel_of(VoxelKey key) {
@@ -41,11 +51,10 @@ void VoxelIndex::list_what_is_near(Voxel& voxel) {
 }
 
 void VoxelIndex::list_at(Voxel& voxel, std::uint32_t slot, CubeSides sides) {
-  for (int side = 0; side < cube_sides; ++side) {
-    if ((sides & (1 << side)) == 0) continue;
+  for_each_side(sides, [&](int side) {
     grow_sparingly(voxel.near[side]);
     voxel.near[side].push_back(slot);
-  }
+  });
 }
 
 std::uint32_t VoxelIndex::voxel_at(const Eigen::Vector3d& point) {
@@ -109,32 +118,20 @@ void VoxelIndex::enter(std::uint32_t slot, const std::vector<std::uint32_t>& vox
     fresh_.push_back(voxel);
   }
   if (fresh_.empty()) return;
-  int side = 0;
-  while ((entry.sides & (1 << side)) == 0) ++side;
+  const int side = first_side(entry.sides);
   for_each_voxel_around(fresh_, [&](Voxel& voxel) {
-    const std::vector<std::uint32_t>& near = voxel.near[side];
-    // From the back: most were listed for the voxels met just before.
-    if (is_new || std::find(near.rbegin(), near.rend(), slot) == near.rend()) {
-      list_at(voxel, slot, entry.sides);
-    }
+    if (is_new || !holds(voxel.near[side], slot)) list_at(voxel, slot, entry.sides);
   });
 }
 
-std::vector<std::uint32_t> VoxelIndex::withdraw(std::uint32_t slot) {
-  const std::vector<std::uint32_t> touched = std::move(entries_[slot].touched);
+std::vector<std::uint32_t> VoxelIndex::remove(std::uint32_t slot) {
+  const Entry entry = std::move(entries_[slot]);
   entries_[slot] = {};
-  return touched;
-}
-
-void VoxelIndex::forget_withdrawn() {
-  const auto forget = [&](std::vector<std::uint32_t>& slots) {
-    const auto is_withdrawn = [&](std::uint32_t slot) { return entries_[slot].sides == 0; };
-    slots.erase(std::remove_if(slots.begin(), slots.end(), is_withdrawn), slots.end());
-  };
-  for (Voxel& voxel : voxels_) {
-    forget(voxel.slots);
-    for (auto& near : voxel.near) forget(near);
-  }
+  for_each_voxel_around(entry.touched, [&](Voxel& voxel) {
+    for_each_side(entry.sides, [&](int side) { remove_from(voxel.near[side], slot); });
+  });
+  for (const std::uint32_t voxel : entry.touched) remove_from(voxels_[voxel].slots, slot);
+  return entry.touched;
 }
 
 std::size_t VoxelIndex::memory_bytes() const {

@@ -31,11 +31,8 @@ class VoxelIndex {
   void list(std::uint32_t slot, CubeSides sides);
   /// Enters it at the voxels that it is not yet entered at.
   void enter(std::uint32_t slot, const std::vector<std::uint32_t>& voxels);
-  /// Returns the voxels that a hypothesis was entered at. It is still listed there: near() must not
-  /// accept it, and the slot must not be entered again, before forget_withdrawn().
-  std::vector<std::uint32_t> withdraw(std::uint32_t slot);
-  /// Looks through all lists: for many at once.
-  void forget_withdrawn();
+  /// Returns the voxels that a hypothesis was entered at; its slot is as good as new.
+  std::vector<std::uint32_t> remove(std::uint32_t slot);
 
   /// Slots near any of the voxels that are listed for the side and for which accepts(slot) is
   /// true, each once.
@@ -77,7 +74,7 @@ class VoxelIndex {
     std::vector<std::uint32_t> touched;         // voxels, sorted
     std::array<std::uint32_t, 4> recent = {};  // some of these, plus one; by their last bits
     std::uint32_t question = 0;
-    CubeSides sides = 0;  // none: withdrawn
+    CubeSides sides = 0;
   };
 
   std::uint32_t voxel_of(VoxelKey key);

@@ -58,13 +58,12 @@ TEST(VoxelIndex, FindsWhatIsInTheVoxelOrNextToIt) {
   }
 }
 
-TEST(VoxelIndex, WhatIsWithdrawnLeavesItsVoxelsToAnother) {
+TEST(VoxelIndex, WhatIsRemovedLeavesItsVoxelsToAnother) {
   VoxelIndex index(voxel_m);
   index.list(0, 1), index.list(1, 1);
   index.enter(0, {index.voxel_at({0.1, 0.1, 0.1})});
   index.enter(1, {index.voxel_at({2.1, 0.1, 0.1}), index.voxel_at({2.6, 0.1, 0.1})});
-  index.enter(0, index.withdraw(1));
-  index.forget_withdrawn();
+  index.enter(0, index.remove(1));
   EXPECT_EQ(Slots{0}, near(index, {0.1, 0.1, 0.1}));
   EXPECT_EQ(Slots{0}, near(index, {2.6, 0.1, 0.1}));
   EXPECT_EQ(3u, index.touched_by(0).size());
