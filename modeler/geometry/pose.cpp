@@ -16,8 +16,7 @@ Pose interpolate(const Pose& from, const Pose& to, double fraction) {
 }
 
 Pose planar_pose(double x_m, double y_m, double yaw_rad) {
-  return Eigen::Translation3d(x_m, y_m, 0.0) *
-         Eigen::AngleAxisd(yaw_rad, Eigen::Vector3d::UnitZ());
+  return Eigen::Translation3d(x_m, y_m, 0.0) * Eigen::AngleAxisd(yaw_rad, Eigen::Vector3d::UnitZ());
 }
 
 double yaw_of(const Pose& pose) { return std::atan2(pose(1, 0), pose(0, 0)); }

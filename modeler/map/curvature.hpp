@@ -19,8 +19,9 @@ struct Curvature {
 /// plane. Sigma is infinite if there are too few cells to tell.
 Curvature curvature_of(const Plane& plane);
 
-/// Four fifths of a plane's well-seen cells have their mean within this of the plane [m]; nothing if
-/// few cells are well seen. Noise averages out in a cell, steps between things side by side do not.
+/// Four fifths of a plane's well-seen cells have their mean within this of the plane [m]; nothing
+/// if few cells are well seen. Noise averages out in a cell, steps between things side by side do
+/// not.
 std::optional<double> cell_scatter_m(const Plane& plane);
 
 }  // namespace ribbon_mapper

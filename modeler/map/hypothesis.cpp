@@ -77,8 +77,8 @@ std::optional<double> square_sigmas(const PosedRibbon& ribbon, const Hypothesis&
   if (std::max(tilt_along, tilt_across) > gate + max_excuse_rad) return std::nullopt;
   const double along = tilt_along / (gate + excuse(plane.tilt_variance(ribbon.along)));
   const double across =
-      tilt_across / (gate + excuse(plane.tilt_variance(ribbon.across) +
-                                   square(ribbon.ribbon->sigma_across_rad)));
+      tilt_across /
+      (gate + excuse(plane.tilt_variance(ribbon.across) + square(ribbon.ribbon->sigma_across_rad)));
   if (along > 1.0 || across > 1.0) return std::nullopt;
   // The gates are two sigma.
   return 4.0 * (square(distance) + square(along) + square(across));

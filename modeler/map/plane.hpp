@@ -10,21 +10,23 @@ namespace ribbon_mapper {
 
 /// A cell of a plane's grid: what the beams saw there (section 6 of the paper).
 struct PlaneCell {
-  std::int32_t u = 0;          ///< column: covers [u, u+1) * cell size along `axis_u` from `origin`
-  std::int32_t v = 0;          ///< row, likewise along `axis_v`
-  std::uint32_t count = 0;     ///< points perceived in the cell
-  float mean_m = 0.0F;         ///< mean signed distance of these points from the plane
-  float variance_m2 = 0.0F;    ///< variance of that distance
+  std::int32_t u = 0;        ///< column: covers [u, u+1) * cell size along `axis_u` from `origin`
+  std::int32_t v = 0;        ///< row, likewise along `axis_v`
+  std::uint32_t count = 0;   ///< points perceived in the cell
+  float mean_m = 0.0F;       ///< mean signed distance of these points from the plane
+  float variance_m2 = 0.0F;  ///< variance of that distance
 };
 
-/// A bounded plane of the model, in the map frame: n.p + d = 0, n towards the side it was seen from.
+/// A bounded plane of the model, in the map frame: n.p + d = 0, n towards the side it was seen
+/// from.
 struct Plane {
   std::int64_t id = 0;  ///< stays the same over corrections, as long as most of the plane does
   Eigen::Vector3d normal = Eigen::Vector3d::UnitZ();
   double d_m = 0.0;
   double area_m2 = 0.0;  ///< number of seen cells times the area of one
   std::size_t ribbon_count = 0;
-  std::vector<std::uint32_t> ribbons;  ///< that it is made of: indices into Modeler::ribbons(), sorted
+  std::vector<std::uint32_t>
+      ribbons;  ///< that it is made of: indices into Modeler::ribbons(), sorted
   Eigen::Vector3d centroid = Eigen::Vector3d::Zero();  ///< mean of the seen cells, on the plane
   /// Covariance of (rotation about axis_u [rad], rotation about axis_v [rad], offset at the
   /// centroid [m]).

@@ -16,8 +16,8 @@ namespace ribbon_mapper {
 std::vector<Plane> confirmed_planes(const std::vector<Hypothesis>& hypotheses,
                                     const Evidence& evidence, const PlaneMapConfig& config);
 
-/// The final filtering, on hypotheses that were merged within `gates`: planes fall apart where a gap
-/// is too wide to be bridged, or where what lies beyond it does not agree; small planes, curved
+/// The final filtering, on hypotheses that were merged within `gates`: planes fall apart where a
+/// gap is too wide to be bridged, or where what lies beyond it does not agree; small planes, curved
 /// ones and bevels are dropped. In the map frame, with outlines.
 std::vector<Plane> filtered_planes(const std::vector<Hypothesis>& hypotheses,
                                    const AssociationGates& gates, const Evidence& evidence,

@@ -27,10 +27,10 @@ struct PlaneMapConfig {
   /// Gaps of at most this are those between scan lines [m].
   double stripe_gap_m = 0.3;
 
-  /// After each line, a model has no more ribbons than this (0: no limit); a ribbon with all that it
-  /// brings takes 400 to 500 bytes. When it is reached, an eighth of them is left out, from where
-  /// most see the same: the error of a plane there grows as the root of what its ribbons decreased
-  /// by.
+  /// After each line, a model has no more ribbons than this (0: no limit); a ribbon with all that
+  /// it brings takes 400 to 500 bytes. When it is reached, an eighth of them is left out, from
+  /// where most see the same: the error of a plane there grows as the root of what its ribbons
+  /// decreased by.
   int most_ribbons = 1'000'000;
 
   /// Side of the cells of a plane's grid [m].

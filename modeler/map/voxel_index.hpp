@@ -65,13 +65,13 @@ class VoxelIndex {
 
  private:
   struct Voxel {
-    std::vector<std::uint32_t> slots;   // that touch it
-    std::vector<std::uint32_t> around;  // voxels: itself and those next to it
+    std::vector<std::uint32_t> slots;                         // that touch it
+    std::vector<std::uint32_t> around;                        // voxels: itself and those next to it
     std::array<std::vector<std::uint32_t>, cube_sides> near;  // by side: slots that touch these
     std::uint32_t question = 0;                               // the last one that it answered
   };
   struct Entry {
-    std::vector<std::uint32_t> touched;         // voxels, sorted
+    std::vector<std::uint32_t> touched;        // voxels, sorted
     std::array<std::uint32_t, 4> recent = {};  // some of these, plus one; by their last bits
     std::uint32_t question = 0;
     CubeSides sides = 0;

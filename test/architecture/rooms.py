@@ -10,7 +10,7 @@ import re
 Room = collections.namedtuple("Room", "ours libraries")
 ANY = None
 
-_CORE = ["modeler/geometry", "modeler/scan", "modeler/ribbon", "modeler/map"]
+_CORE = ["modeler/geometry", "modeler/scan", "modeler/ribbon", "modeler/map", "modeler/registration"]
 _MODELER = _CORE + ["modeler"]
 
 ROOMS = {
@@ -18,6 +18,7 @@ ROOMS = {
     "modeler/scan": Room(_CORE[:1], ["Eigen"]),
     "modeler/ribbon": Room(_CORE[:2], ["Eigen"]),
     "modeler/map": Room(_CORE[:3], ["Eigen", "tsl"]),
+    "modeler/registration": Room(_CORE[:4], ["Eigen"]),
     "modeler": Room(_CORE, ["Eigen"]),
     "modeler/io": Room(_MODELER, ["Eigen", "nlohmann", "octomap", "sys", "yaml-cpp"]),
     "modeler/ros": Room(_MODELER + ["modeler/io"], ANY),

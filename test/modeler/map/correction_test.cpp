@@ -106,7 +106,8 @@ TEST(Trajectory, IsCorrectedFromTheRecordedPosesEachTime) {
     trajectory.correct({{recorded[10].stamp, T * recorded[10].T_map_base}});
     EXPECT_TRUE(trajectory.is_corrected());
     EXPECT_LT(distance(T * recorded[77].T_map_base, trajectory.poses()[77].T_map_base), 1e-9);
-    EXPECT_LT(distance(recorded[77].T_map_base, trajectory.recorded()[77].in_map.T_map_base), 1e-12);
+    EXPECT_LT(distance(recorded[77].T_map_base, trajectory.recorded()[77].in_map.T_map_base),
+              1e-12);
   }
 }
 

@@ -64,8 +64,7 @@ TEST(SurfelArea, GrowsWithTheSquareOfTheRange) {
 TEST(SurfelArea, IsSmallAtAReversal) {
   const double steady_m2 = surfel_area_m2(lines_at({0.00, 0.02, 0.04}), 360);
   EXPECT_LT(surfel_area_m2(lines_at({0.00, 0.02, 0.00}), 360), 1e-6 * steady_m2);
-  EXPECT_NEAR(0.5 * steady_m2, surfel_area_m2(lines_at({0.00, 0.02, 0.02}), 360),
-              1e-3 * steady_m2);
+  EXPECT_NEAR(0.5 * steady_m2, surfel_area_m2(lines_at({0.00, 0.02, 0.02}), 360), 1e-3 * steady_m2);
 }
 
 TEST(SurfelArea, OfAStandingLaserIsNone) {

@@ -50,7 +50,8 @@ TEST(LineBuffer, GivesEachLineTheOnesNextToIt) {
 }
 
 TEST(LineBuffer, GoesFurtherWhereLinesAreDense) {
-  const double step_m = base_line_m(line_at(Pose::Identity(), 0.0), line_at(Pose::Identity(), kTiltStep_rad));
+  const double step_m =
+      base_line_m(line_at(Pose::Identity(), 0.0), line_at(Pose::Identity(), kTiltStep_rad));
   LineBuffer buffer(2.5 * step_m);
   for (int second = 1; second <= 60; ++second) {
     push(buffer, second);

@@ -6,7 +6,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "modeler/map/pose_belief.hpp"
+#include "modeler/registration/pose_belief.hpp"
 #include "modeler/ribbon/ribbon.hpp"
 
 namespace ribbon_mapper {

@@ -4,7 +4,7 @@
 
 #include <vector>
 
-#include "modeler/map/pose_belief.hpp"
+#include "modeler/registration/pose_belief.hpp"
 
 namespace ribbon_mapper {
 

@@ -7,10 +7,10 @@
 #include <vector>
 
 #include "modeler/map/evidence.hpp"
-#include "modeler/map/plane_adjustment.hpp"
 #include "modeler/map/plane_map.hpp"
-#include "modeler/map/pose_belief.hpp"
-#include "modeler/map/sight.hpp"
+#include "modeler/registration/plane_adjustment.hpp"
+#include "modeler/registration/pose_belief.hpp"
+#include "modeler/registration/sight.hpp"
 
 namespace ribbon_mapper {
 

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 ribbon_mapper authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "modeler/map/odometry_noise.hpp"
+#include "modeler/registration/odometry_noise.hpp"
 
 #include <Eigen/Cholesky>
 #include <algorithm>

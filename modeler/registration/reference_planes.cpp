@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 ribbon_mapper authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "modeler/map/reference_planes.hpp"
+#include "modeler/registration/reference_planes.hpp"
 
 #include <Eigen/LU>
 #include <algorithm>

@@ -6,8 +6,8 @@
 #include <optional>
 #include <vector>
 
-#include "modeler/map/odometry_noise.hpp"
-#include "modeler/map/pose_belief.hpp"
+#include "modeler/registration/odometry_noise.hpp"
+#include "modeler/registration/pose_belief.hpp"
 
 namespace ribbon_mapper {
 

@@ -1,15 +1,15 @@
 // SPDX-FileCopyrightText: 2026 ribbon_mapper authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "modeler/map/registration.hpp"
+#include "modeler/registration/registration.hpp"
 
 #include <algorithm>
 #include <cmath>
 
-#include "modeler/map/bridge.hpp"
-#include "modeler/map/odometry_noise.hpp"
-#include "modeler/map/plane_adjustment.hpp"
-#include "modeler/map/reference_planes.hpp"
-#include "modeler/map/spans.hpp"
+#include "modeler/registration/bridge.hpp"
+#include "modeler/registration/odometry_noise.hpp"
+#include "modeler/registration/plane_adjustment.hpp"
+#include "modeler/registration/reference_planes.hpp"
+#include "modeler/registration/spans.hpp"
 
 namespace ribbon_mapper {
 namespace {

@@ -7,8 +7,8 @@
 #include <optional>
 #include <vector>
 
-#include "modeler/map/pose_belief.hpp"
-#include "modeler/map/sight.hpp"
+#include "modeler/registration/pose_belief.hpp"
+#include "modeler/registration/sight.hpp"
 
 namespace ribbon_mapper {
 

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 ribbon_mapper authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "modeler/map/plane_adjustment.hpp"
+#include "modeler/registration/plane_adjustment.hpp"
 
 #include <Eigen/Cholesky>
 #include <algorithm>

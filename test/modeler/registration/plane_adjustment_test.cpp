@@ -1,12 +1,12 @@
 // SPDX-FileCopyrightText: 2026 ribbon_mapper authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "modeler/map/plane_adjustment.hpp"
+#include "modeler/registration/plane_adjustment.hpp"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 
-#include "modeler/map/odometry_noise.hpp"
+#include "modeler/registration/odometry_noise.hpp"
 #include "test/modeler/map/scene.hpp"
 
 namespace ribbon_mapper {

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 ribbon_mapper authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "modeler/map/spans.hpp"
+#include "modeler/registration/spans.hpp"
 
 namespace ribbon_mapper {
 namespace {

@@ -10,7 +10,8 @@
 
 namespace ribbon_mapper {
 
-/// Poses of all lines of a corrected trajectory, of which those between corrected poses are where the model itself tells.
+/// Poses of all lines of a corrected trajectory, of which those between corrected poses are where
+/// the model itself tells.
 ///
 /// Between two corrected poses the odometry's error is a random walk that is zero at both. Where it
 /// may have moved ribbons off their planes, the lines are registered against the planes of those

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 ribbon_mapper authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "modeler/map/pose_belief.hpp"
+#include "modeler/registration/pose_belief.hpp"
 
 #include <Eigen/Cholesky>
 #include <Eigen/LU>

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 ribbon_mapper authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "modeler/map/bridge.hpp"
+#include "modeler/registration/bridge.hpp"
 
 #include <gtest/gtest.h>
 

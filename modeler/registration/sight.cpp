@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 ribbon_mapper authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "modeler/map/sight.hpp"
+#include "modeler/registration/sight.hpp"
 
 #include "modeler/map/posed_ribbon.hpp"
 
