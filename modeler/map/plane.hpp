@@ -25,8 +25,8 @@ struct Plane {
   double d_m = 0.0;
   double area_m2 = 0.0;  ///< number of seen cells times the area of one
   std::size_t ribbon_count = 0;
-  std::vector<std::uint32_t>
-      ribbons;  ///< that it is made of: indices into Modeler::ribbons(), sorted
+  /// That it is made of: indices into Modeler::ribbons(), sorted.
+  std::vector<std::uint32_t> ribbons;
   Eigen::Vector3d centroid = Eigen::Vector3d::Zero();  ///< mean of the seen cells, on the plane
   /// Covariance of (rotation about axis_u [rad], rotation about axis_v [rad], offset at the
   /// centroid [m]).
