@@ -11,8 +11,9 @@
 namespace ribbon_mapper {
 namespace {
 
-// A plane is fitted again when a hundredth of its area is new: far less than the gates would see.
-constexpr double most_unfitted_share = 0.01;
+// A plane is fitted again when so much of its area is new: within the gates, that cannot have moved
+// it by more than this share of them.
+constexpr double most_unfitted_share = 0.02;
 
 }  // namespace
 

@@ -63,13 +63,13 @@ std::uint32_t VoxelIndex::voxel_at(const Eigen::Vector3d& point) {
 
 void VoxelIndex::voxels_of(const PosedRibbon& ribbon, std::vector<std::uint32_t>& voxels) {
   voxels.clear();
-  const double from_m = ribbon.ribbon->samples.start_m, length_m = ribbon.ribbon->length_m;
-  const int steps = static_cast<int>(std::ceil(steps_per_voxel * length_m / voxel_m_));
-  const double step_m = steps > 0 ? length_m / steps : 0.0;
+  const double length = ribbon.ribbon->length_m / voxel_m_;  // in voxels, as all here
+  const int steps = static_cast<int>(std::ceil(steps_per_voxel * length));
+  const Eigen::Vector3d start = ribbon.point(ribbon.ribbon->samples.start_m, 0.0F) / voxel_m_;
+  const Eigen::Vector3d step = (steps > 0 ? length / steps : 0.0) * ribbon.along;
   VoxelKey last{};
   for (int i = 0; i <= steps; ++i) {
-    const VoxelKey key =
-        voxel_key(ribbon.centroid + (from_m + i * step_m) * ribbon.along, voxel_m_);
+    const VoxelKey key = voxel_key(start + i * step);
     if (i == 0 || key != last) voxels.push_back(voxel_of(key));
     last = key;
   }

@@ -14,16 +14,19 @@ namespace ribbon_mapper {
 using VoxelKey = std::uint64_t;
 constexpr int voxel_key_bits = 21;
 
-inline VoxelKey voxel_key(const Eigen::Vector3d& point, double voxel_m) {
+/// Of a point in units of voxels.
+inline VoxelKey voxel_key(const Eigen::Vector3d& point) {
   constexpr std::int64_t mask = (1 << voxel_key_bits) - 1, middle = 1 << (voxel_key_bits - 1);
-  const double voxels_per_m = 1.0 / voxel_m;
   VoxelKey key = 0;
   for (int i = 0; i < 3; ++i) {
-    // Not negative within the range: the cast rounds down.
-    const auto place = static_cast<std::int64_t>(voxels_per_m * point[i] + middle);
+    const auto place = static_cast<std::int64_t>(point[i] + middle);  // positive: rounds down
     key = (key << voxel_key_bits) | static_cast<VoxelKey>(place & mask);
   }
   return key;
+}
+
+inline VoxelKey voxel_key(const Eigen::Vector3d& point, double voxel_m) {
+  return voxel_key((1.0 / voxel_m) * point);
 }
 
 /// Calls function(key) for the voxel itself and the 26 next to it.
