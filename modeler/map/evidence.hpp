@@ -6,6 +6,7 @@
 
 #include "modeler/geometry/pose.hpp"
 #include "modeler/map/posed_ribbon.hpp"
+#include "modeler/map/posed_samples.hpp"
 #include "modeler/ribbon/stray_points.hpp"
 
 namespace ribbon_mapper {
@@ -21,6 +22,7 @@ class Evidence {
     if (poses.empty()) return;
     T_map_world_ = poses.front().T_map_base;
     const Pose T_world_map = T_map_world_.inverse(Eigen::Isometry);
+    T_world_base_.reserve(poses.size());
     for (const StampedPose& pose : poses) T_world_base_.emplace_back(T_world_map * pose.T_map_base);
   }
 
@@ -30,6 +32,10 @@ class Evidence {
   std::size_t ribbon_count() const { return ribbons_->size(); }
   const Ribbon& source(std::size_t index) const { return (*ribbons_)[index]; }
   PosedRibbon ribbon(std::size_t index) const {
+    const Ribbon& ribbon = source(index);
+    return {ribbon, T_world_base(ribbon.pose)};
+  }
+  PosedSamples samples(std::size_t index) const {
     const Ribbon& ribbon = source(index);
     return {ribbon, T_world_base(ribbon.pose)};
   }

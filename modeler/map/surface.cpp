@@ -121,13 +121,13 @@ class StrayTaker {
   }
 
   /// The surface that most of the points were given to owns the ribbon.
-  void give(const PosedRibbon& ribbon, std::uint32_t index) {
+  void give(const PosedSamples& ribbon, std::uint32_t index) {
     const auto faces = [&](const Plane& plane) {
       return plane.normal.dot(ribbon.normal) > least_cosine_of_side;
     };
     std::uint32_t all = 0;
     given_.clear();
-    ribbon.ribbon->samples.for_each([&](float along_m, float height_m, std::uint32_t count) {
+    ribbon.samples.for_each([&](float along_m, float height_m, std::uint32_t count) {
       all += count;
       if (Surface* surface = give(ribbon.point(along_m, height_m), count, faces)) {
         given_[surface] += count;
@@ -186,7 +186,7 @@ std::vector<bool> owned_ribbons(const std::vector<Surface>& surfaces, std::size_
 Surface::Surface(const Hypothesis& hypothesis, const Evidence& evidence,
                  const PlaneMapConfig& config)
     : plane_(frame_of(hypothesis, config)), grid_(plane_) {
-  for (const Member& member : hypothesis.members()) grid_.add(evidence.ribbon(member.ribbon));
+  for (const Member& member : hypothesis.members()) grid_.add(evidence.samples(member.ribbon));
   refresh();
 }
 
@@ -210,7 +210,7 @@ void take_strays(const Evidence& evidence, const PlaneMapConfig& config,
   }
   const std::vector<bool> owned = owned_ribbons(surfaces, evidence.ribbon_count());
   for (std::uint32_t i = 0; i < owned.size(); ++i) {
-    if (!owned[i]) taker.give(evidence.ribbon(i), i);
+    if (!owned[i]) taker.give(evidence.samples(i), i);
   }
   for (Surface& surface : surfaces) surface.refresh();
 }
