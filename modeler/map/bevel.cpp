@@ -13,35 +13,70 @@
 namespace ribbon_mapper {
 namespace {
 
-/// Where the points of a cell were, on average.
-Eigen::Vector3d measured(const Plane& plane, const PlaneCell& cell) {
-  return cell_centre(plane, cell) + cell.mean_m * plane.normal;
-}
-
-/// Around all of these points.
-Eigen::AlignedBox3d box_of(const Plane& plane) {
-  Eigen::AlignedBox2i grid;
-  float most_m = 0.0F;
-  for (const PlaneCell& cell : plane.cells) {
-    grid.extend(Eigen::Vector2i(cell.u, cell.v));
-    most_m = std::max(most_m, std::abs(cell.mean_m));
-  }
-  Eigen::AlignedBox3d box;
-  for (const int u : {grid.min().x(), grid.max().x() + 1}) {
-    for (const int v : {grid.min().y(), grid.max().y() + 1}) {
-      const Eigen::Vector3d corner = grid_corner(plane, u, v);
-      box.extend(corner + most_m * plane.normal);
-      box.extend(corner - most_m * plane.normal);
+/// A plane's cells by rows, with how far the points in them were from it.
+class Sheet {
+ public:
+  explicit Sheet(const Plane& plane) : plane_(&plane) {
+    if (plane.cells.empty()) return;
+    Eigen::AlignedBox2i grid;
+    const PlaneCell* const end = plane.cells.data() + plane.cells.size();
+    for (const PlaneCell *row = plane.cells.data(), *next = row; row != end; row = next) {
+      for (; next != end && next->v == row->v; ++next) {
+        most_m_ = std::max(most_m_, std::abs(next->mean_m));
+      }
+      rows_.push_back({row, next});
+      grid.extend(Eigen::Vector2i(row->u, row->v)).extend(Eigen::Vector2i(next[-1].u, row->v));
+    }
+    for (const int u : {grid.min().x(), grid.max().x() + 1}) {
+      for (const int v : {grid.min().y(), grid.max().y() + 1}) {
+        const Eigen::Vector3d corner = grid_corner(plane, u, v);
+        box_.extend(corner + most_m_ * plane.normal);
+        box_.extend(corner - most_m_ * plane.normal);
+      }
     }
   }
-  return box;
-}
+
+  const Plane& plane() const { return *plane_; }
+  const Eigen::AlignedBox3d& box() const { return box_; }  ///< around all points
+
+  /// Calls function(index, point) for each cell, and where its points were on average, that lies
+  /// within `reach_m` of another plane. Along a row, distances from that are linear.
+  template <typename Function>
+  void for_each_near(const Plane& other, double reach_m, const Function& function) const {
+    const double slope = plane_->cell_size_m * other.normal.dot(plane_->axis_u);
+    const double steepness = std::max(1e-9, std::abs(slope));
+    const double slack_m = reach_m + most_m_ * std::abs(other.normal.dot(plane_->normal));
+    const double half = slack_m / steepness + 1.0;
+    for (const Row& row : rows_) {
+      const Eigen::Vector3d start = cell_centre(*plane_, {0, row.begin->v});
+      const double middle =
+          -(other.normal.dot(start) + other.d_m) / std::copysign(steepness, slope);
+      const PlaneCell* cell = std::lower_bound(
+          row.begin, row.end, middle - half, [](const PlaneCell& a, double u) { return a.u < u; });
+      for (; cell != row.end && cell->u <= middle + half; ++cell) {
+        const Eigen::Vector3d point = cell_centre(*plane_, *cell) + cell->mean_m * plane_->normal;
+        if (std::abs(other.normal.dot(point) + other.d_m) > reach_m) continue;
+        function(static_cast<std::size_t>(cell - plane_->cells.data()), point);
+      }
+    }
+  }
+
+ private:
+  struct Row {
+    const PlaneCell *begin, *end;
+  };
+
+  const Plane* plane_;
+  float most_m_ = 0.0F;
+  std::vector<Row> rows_;
+  Eigen::AlignedBox3d box_;
+};
 
 /// A plane that others may lie on.
 class Ground {
  public:
-  Ground(const Plane& plane, const PlaneMapConfig& config)
-      : plane_(&plane), config_(&config), box_(box_of(plane)) {
+  Ground(const Sheet& sheet, const PlaneMapConfig& config)
+      : plane_(&sheet.plane()), config_(&config), box_(sheet.box()) {
     const double margin_m = config.bridged_gap_m + config.on_plane_m;  // twice the wider reach
     box_.min().array() -= margin_m;
     box_.max().array() += margin_m;
@@ -50,18 +85,16 @@ class Ground {
   bool is_near(const Eigen::AlignedBox3d& box) const { return box_.intersects(box); }
 
   /// Marks the cells of `other` that lie on this plane, as measured.
-  void explain(const Plane& other, std::vector<bool>& explained) {
-    const double cosine = plane_->normal.dot(other.normal);
+  void explain(const Sheet& other, std::vector<bool>& explained) {
+    const double cosine = plane_->normal.dot(other.plane().normal);
     if (cosine <= 0.0) return;  // the back of a thin wall is no part of its front
     const bool is_splinter = cosine > least_cosine_of_splinter;
-    for (std::size_t i = 0; i < explained.size(); ++i) {
-      if (explained[i]) continue;
-      const Eigen::Vector3d point = measured(other, other.cells[i]);
-      if (std::abs(plane_->normal.dot(point) + plane_->d_m) > config_->on_plane_m) continue;
+    other.for_each_near(*plane_, config_->on_plane_m, [&](std::size_t i, const auto& point) {
+      if (explained[i]) return;
       const Footprint& around = is_splinter ? footprint(beyond_gap_, 0.5 * config_->bridged_gap_m)
                                             : footprint(beside_, config_->beside_plane_m);
       explained[i] = around.holds(point, config_->on_plane_m);
-    }
+    });
   }
 
  private:
@@ -79,15 +112,14 @@ class Ground {
   std::optional<Footprint> beside_, beyond_gap_;
 };
 
-bool is_bevel(const Plane& plane, std::vector<Ground>& larger) {
-  if (plane.cells.empty()) return false;
-  const Eigen::AlignedBox3d box = box_of(plane);
-  std::vector<bool> explained(plane.cells.size(), false);
+bool is_bevel(const Sheet& sheet, std::vector<Ground>& larger) {
+  const std::size_t cells = sheet.plane().cells.size();
+  std::vector<bool> explained(cells, false);
   for (Ground& ground : larger) {
-    if (ground.is_near(box)) ground.explain(plane, explained);
+    if (ground.is_near(sheet.box())) ground.explain(sheet, explained);
   }
   const auto count = std::count(explained.begin(), explained.end(), true);
-  return 2 * static_cast<std::size_t>(count) > plane.cells.size();
+  return 2 * static_cast<std::size_t>(count) > cells;
 }
 
 }  // namespace
@@ -102,8 +134,9 @@ std::vector<bool> are_bevels(const std::vector<const Plane*>& planes,
   std::vector<bool> bevels(planes.size());
   std::vector<Ground> larger;
   for (const std::size_t i : order) {
-    bevels[i] = is_bevel(*planes[i], larger);
-    if (!bevels[i]) larger.emplace_back(*planes[i], config);
+    const Sheet sheet(*planes[i]);
+    bevels[i] = is_bevel(sheet, larger);
+    if (!bevels[i]) larger.emplace_back(sheet, config);
   }
   return bevels;
 }

@@ -18,6 +18,34 @@ double signed_area(const std::vector<GridCorner>& corners) {
   return 0.5 * twice;
 }
 
+using Words = std::vector<std::uint64_t>;
+
+void set_bit(Words& words, std::size_t i) { words[i / 64] |= std::uint64_t{1} << (i % 64); }
+
+void clear_bit(Words& words, std::size_t i) { words[i / 64] &= ~(std::uint64_t{1} << (i % 64)); }
+
+/// Joins each bit with the one `shift` bits ahead; beyond the end there are zeros.
+template <typename Join>
+void join_ahead(Words& words, std::size_t shift, const Join& join) {
+  const std::size_t skip = shift / 64, low = shift % 64;
+  const auto word = [&](std::size_t i) { return i < words.size() ? words[i] : 0; };
+  for (std::size_t i = 0; i < words.size(); ++i) {
+    const std::uint64_t next = low > 0 ? word(i + skip + 1) << (64 - low) : 0;
+    words[i] = join(words[i], (word(i + skip) >> low) | next);
+  }
+}
+
+/// Joins each bit with the one `shift` bits behind; before the start there are zeros.
+template <typename Join>
+void join_behind(Words& words, std::size_t shift, const Join& join) {
+  const std::size_t skip = shift / 64, low = shift % 64;
+  const auto word = [&](std::size_t i) { return i < words.size() ? words[i] : 0; };  // -1: large
+  for (std::size_t i = words.size(); i-- > 0;) {
+    const std::uint64_t next = low > 0 ? word(i - skip - 1) >> (64 - low) : 0;
+    words[i] = join(words[i], (word(i - skip) << low) | next);
+  }
+}
+
 }  // namespace
 
 CellBitmap::CellBitmap(const std::vector<PlaneCell>& cells, int margin) : margin_(margin) {
@@ -28,36 +56,28 @@ CellBitmap::CellBitmap(const std::vector<PlaneCell>& cells, int margin) : margin
     v0_ = std::min(v0_, cell.v), v_max = std::max(v_max, cell.v);
   }
   u0_ -= margin, v0_ -= margin;
-  columns_ = u_max - u0_ + margin + 1, rows_ = v_max - v0_ + margin + 1;
-  seen_.assign(static_cast<std::size_t>(columns_) * rows_, 0);
-  for (const PlaneCell& cell : cells) {
-    seen_[static_cast<std::size_t>(cell.v - v0_) * columns_ + (cell.u - u0_)] = 1;
-  }
+  columns_ = u_max - u0_ + margin + 2, rows_ = v_max - v0_ + margin + 1;
+  seen_.assign(place(0, rows_) / 64 + 1, 0);
+  for (const PlaneCell& cell : cells) set_bit(seen_, place(cell.u - u0_, cell.v - v0_));
 }
 
 void CellBitmap::close() {
-  spread(1, 1, columns_, rows_), spread(1, columns_, rows_, columns_);
-  spread(0, 1, columns_, rows_), spread(0, columns_, rows_, columns_);
+  join_neighbours([](std::uint64_t a, std::uint64_t b) { return a | b; });
+  join_neighbours([](std::uint64_t a, std::uint64_t b) { return a & b; });
 }
 
-/// Sets to `value` all within the margin of a cell of that value, along lines of `length` cells
-/// that are `step` apart; beyond the picture nothing is seen.
-void CellBitmap::spread(char value, std::size_t step, int length, int lines) {
-  const std::size_t line_step = step == 1 ? columns_ : 1;
-  std::vector<char> out(length);
-  for (int k = 0; k < lines; ++k) {
-    char* line = seen_.data() + k * line_step;
-    std::fill(out.begin(), out.end(), 0);
-    for (int pass = 0; pass < 2; ++pass) {
-      int reach = value ? -1 : margin_;
-      for (int i = 0; i < length; ++i) {
-        const int at = pass ? length - 1 - i : i;
-        if (line[at * step] == value) reach = margin_ + 1;
-        if (--reach >= 0) out[at] = 1;
-      }
+/// Each cell becomes what all within the margin of it are together, along rows, then columns, on
+/// both sides; beyond the picture nothing is seen. The number of cells joined doubles each time.
+template <typename Join>
+void CellBitmap::join_neighbours(const Join& join) {
+  for (const std::size_t step : {std::size_t{1}, place(0, 1)}) {
+    for (int joined = 1, more = 0; joined <= margin_; joined += more) {
+      more = std::min(joined, margin_ + 1 - joined);
+      join_ahead(seen_, more * step, join);
     }
-    for (int i = 0; i < length; ++i) {
-      if (out[i]) line[i * step] = value;
+    for (int joined = 1, more = 0; joined <= margin_; joined += more) {
+      more = std::min(joined, margin_ + 1 - joined);
+      join_behind(seen_, more * step, join);
     }
   }
 }
@@ -85,15 +105,15 @@ std::vector<CellRectangle> CellBitmap::rectangles() const {
 }
 
 std::vector<GridCorner> CellBitmap::outer_boundary() const {
-  std::vector<char> visited(seen_.size(), 0);
+  Words lower_edges = seen_;  // of seen cells, until they were walked along
+  join_behind(lower_edges, place(0, 1), [](auto cell, auto below) { return cell & ~below; });
   std::vector<GridCorner> largest;
   double largest_area = 0.0;
-  for (int v = 0; v < rows_; ++v) {
-    for (int u = 0; u < columns_; ++u) {
-      if (!seen(u, v) || seen(u, v - 1) || visited[static_cast<std::size_t>(v) * columns_ + u]) {
-        continue;
-      }
-      std::vector<GridCorner> boundary = follow(u, v, visited);
+  for (std::size_t i = 0; i < lower_edges.size(); ++i) {
+    while (lower_edges[i] != 0) {
+      const auto at = 64 * i + static_cast<std::size_t>(__builtin_ctzll(lower_edges[i]));
+      const auto columns = static_cast<std::size_t>(columns_);
+      std::vector<GridCorner> boundary = follow(at % columns, at / columns, lower_edges);
       const double area = signed_area(boundary);
       if (area > largest_area) largest = std::move(boundary), largest_area = area;
     }
@@ -102,15 +122,16 @@ std::vector<GridCorner> CellBitmap::outer_boundary() const {
 }
 
 /// Walks along the edges with the seen cells to the left, from the lower edge of cell (u, v) on;
-/// where two cells touch by a corner only, they are kept together.
-std::vector<GridCorner> CellBitmap::follow(int u, int v, std::vector<char>& visited) const {
+/// where two cells touch by a corner only, they are kept together. Takes out the lower edges that
+/// it comes along.
+std::vector<GridCorner> CellBitmap::follow(int u, int v, Words& lower_edges) const {
   constexpr int step_u[] = {1, 0, -1, 0}, step_v[] = {0, 1, 0, -1};
   constexpr int left_u[] = {0, -1, -1, 0}, left_v[] = {0, 0, -1, -1};  // cell left of a step
   const int start_u = u, start_v = v;
   int heading = 0;
   std::vector<GridCorner> corners;
   do {
-    if (heading == 0) visited[static_cast<std::size_t>(v) * columns_ + u] = 1;
+    if (heading == 0) clear_bit(lower_edges, place(u, v));
     u += step_u[heading], v += step_v[heading];
     for (const int turn : {3, 0, 1}) {  // right, straight, left
       const int next = (heading + turn) % 4;

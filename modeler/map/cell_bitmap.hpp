@@ -14,7 +14,8 @@ struct GridCorner {
   std::int32_t u = 0, v = 0;
 };
 
-/// The seen cells of a plane as a picture with a margin around it. There must be cells.
+/// The seen cells of a plane as a picture with a margin around it, 64 of them to a word. There must
+/// be cells.
 class CellBitmap {
  public:
   CellBitmap(const std::vector<PlaneCell>& cells, int margin);
@@ -29,15 +30,21 @@ class CellBitmap {
   std::vector<GridCorner> outer_boundary() const;
 
  private:
-  bool seen(int u, int v) const {
-    return u >= 0 && v >= 0 && u < columns_ && v < rows_ &&
-           seen_[static_cast<std::size_t>(v) * columns_ + u];
-  }
-  void spread(char value, std::size_t step, int length, int lines);
-  std::vector<GridCorner> follow(int u, int v, std::vector<char>& visited) const;
+  using Words = std::vector<std::uint64_t>;
 
-  int margin_, u0_, v0_, columns_, rows_;
-  std::vector<char> seen_;
+  std::size_t place(int u, int v) const { return static_cast<std::size_t>(v) * columns_ + u; }
+  bool seen(int u, int v) const {
+    if (u < 0 || v < 0 || u >= columns_ || v >= rows_) return false;
+    return (seen_[place(u, v) / 64] >> (place(u, v) % 64)) & 1;
+  }
+  template <typename Join>
+  void join_neighbours(const Join& join);
+  std::vector<GridCorner> follow(int u, int v, Words& lower_edges) const;
+
+  int margin_, u0_, v0_;
+  int columns_, rows_;  // the last column stays empty: no square of the margin goes over to the
+                        // next row without touching it
+  Words seen_;  // row after row
 };
 
 }  // namespace ribbon_mapper

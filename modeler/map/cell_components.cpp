@@ -1,11 +1,8 @@
 // SPDX-FileCopyrightText: 2026 ribbon_mapper authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include <tsl/robin_map.h>
-
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
-#include <numeric>
 
 #include "modeler/map/cell_grid.hpp"
 #include "modeler/map/grid_keys.hpp"
@@ -13,10 +10,11 @@
 namespace ribbon_mapper {
 namespace {
 
-int floor_div(int a, int b) { return a >= 0 ? a / b : -((b - 1 - a) / b); }
+constexpr std::uint32_t none = UINT32_MAX;
 
 /// Cells fall into blocks so small that all in a block are connected; blocks are then joined where
 /// two of their cells are near enough. Within a block, cells that follow each other are one run.
+/// Blocks are met in bands, and joined with those of the few bands before that are in reach.
 class Linkage {
  public:
   Linkage(const std::vector<PlaneCell>& cells, double gap_in_cells)
@@ -24,75 +22,113 @@ class Linkage {
     side_ = std::max(1, static_cast<int>(gap_in_cells / M_SQRT2) + 1);
     if (std::hypot(side_ - 1, side_ - 1) > gap_in_cells) --side_;
     reach_ = static_cast<int>(std::ceil(gap_in_cells / side_));
+    make_bands(cells);
     find_runs(cells);
-    sort_runs_by_block();
-    for (std::uint32_t block = 0; block < places_.size(); ++block) join_neighbours(block);
   }
 
-  /// Of each cell, the first block of its component.
-  std::vector<std::uint32_t> roots() {
-    std::vector<std::uint32_t> roots;
-    for (const Run& run : runs_) roots.resize(run.end_cell, root_of(run.block));
-    return roots;
+  /// Of each cell, the number of its component.
+  std::vector<int> components(std::size_t cell_count) {
+    std::vector<std::uint32_t> sizes(blocks_.size(), 0), order;  // of those that are a root
+    for (const Run& run : runs_) sizes[root_of(run.block)] += run.length;
+    for (std::uint32_t block = 0; block < blocks_.size(); ++block) {
+      if (sizes[block] > 0) order.push_back(block);
+    }
+    std::stable_sort(order.begin(), order.end(),
+                     [&](std::uint32_t a, std::uint32_t b) { return sizes[a] > sizes[b]; });
+    std::vector<int> numbers(blocks_.size(), 0), components;
+    for (std::size_t i = 0; i < order.size(); ++i) numbers[order[i]] = static_cast<int>(i);
+    components.reserve(cell_count);
+    for (const Run& run : runs_) {
+      components.insert(components.end(), run.length, numbers[root_of(run.block)]);
+    }
+    return components;
   }
 
  private:
-  struct Place {
-    std::int32_t u, v;
-  };
   struct Run {
-    std::int32_t v, u_first, u_last;
-    std::uint32_t end_cell, block;
+    std::int32_t u, v;
+    std::uint32_t length, block;
+    std::uint32_t previous;  // run of the block
   };
+  struct Block {
+    std::int32_t column;
+    std::uint32_t last_run, parent;
+  };
+
+  int block_of(int cell) const { return floor_to_int((cell + 0.5) / side_); }
+
+  /// As wide as the plane and, on both sides, the reach.
+  void make_bands(const std::vector<PlaneCell>& cells) {
+    const auto [left, right] =
+        std::minmax_element(cells.begin(), cells.end(),
+                            [](const PlaneCell& a, const PlaneCell& b) { return a.u < b.u; });
+    first_column_ = block_of(left->u) - reach_;
+    const int columns = block_of(right->u) + reach_ + 1 - first_column_;
+    bands_.assign(reach_ + 1, std::vector<std::uint32_t>(columns, none));
+  }
+
+  void find_runs(const std::vector<PlaneCell>& cells) {
+    int band = block_of(cells.front().v);
+    for (std::size_t i = 0; i < cells.size(); i += runs_.back().length) {
+      const PlaneCell& first = cells[i];
+      const int next_band = block_of(first.v), column = block_of(first.u);
+      if (next_band != band) join_band(), move_on(next_band - band), band = next_band;
+      const std::size_t end =
+          std::min<std::size_t>(cells.size(), i + (column + 1) * side_ - first.u);
+      Run run{first.u, first.v, 1, block_at(column), none};
+      while (i + run.length < end && cells[i + run.length].v == run.v &&
+             cells[i + run.length].u == run.u + static_cast<int>(run.length)) {
+        ++run.length;
+      }
+      run.previous = blocks_[run.block].last_run;
+      blocks_[run.block].last_run = static_cast<std::uint32_t>(runs_.size());
+      runs_.push_back(run);
+    }
+    join_band();
+  }
 
   /// Blocks are numbered by their first cells.
-  void find_runs(const std::vector<PlaneCell>& cells) {
-    for (std::uint32_t i = 0; i < cells.size();) {
-      const PlaneCell& first = cells[i];
-      const Place place{floor_div(first.u, side_), floor_div(first.v, side_)};
-      const std::int32_t u_end = (place.u + 1) * side_;
-      Run run{first.v, first.u, first.u, i + 1, 0};
-      while (run.end_cell < cells.size() && cells[run.end_cell].v == run.v &&
-             cells[run.end_cell].u == run.u_last + 1 && run.u_last + 1 < u_end) {
-        ++run.u_last, ++run.end_cell;
+  std::uint32_t block_at(int column) {
+    std::uint32_t& block = bands_.front()[column - first_column_];
+    if (block == none) {
+      block = static_cast<std::uint32_t>(blocks_.size());
+      blocks_.push_back({column, none, block});
+    }
+    return block;
+  }
+
+  void move_on(int bands) {
+    for (int i = 0; i < std::min(bands, reach_ + 1); ++i) {
+      std::rotate(bands_.begin(), bands_.end() - 1, bands_.end());
+      std::fill(bands_.front().begin(), bands_.front().end(), none);
+    }
+    first_of_band_ = static_cast<std::uint32_t>(blocks_.size());
+  }
+
+  void join_band() {
+    for (std::uint32_t block = first_of_band_; block < blocks_.size(); ++block) {
+      for (int dv = 0; dv <= reach_; ++dv) {
+        const std::uint32_t* const middle = &bands_[dv][blocks_[block].column - first_column_];
+        for (int du = -reach_; du <= (dv == 0 ? -1 : reach_); ++du) {
+          if (middle[du] != none) join(block, middle[du]);
+        }
       }
-      const auto number = static_cast<std::uint32_t>(places_.size());
-      const auto [found, is_new] = blocks_.try_emplace(pair_key(place.u, place.v), number);
-      if (is_new) places_.push_back(place);
-      run.block = found->second;
-      runs_.push_back(run);
-      i = run.end_cell;
     }
   }
 
-  void sort_runs_by_block() {
-    first_run_.assign(places_.size() + 1, 0);
-    for (const Run& run : runs_) ++first_run_[run.block + 1];
-    std::partial_sum(first_run_.begin(), first_run_.end(), first_run_.begin());
-    runs_of_block_.resize(runs_.size());
-    std::vector<std::uint32_t> next(first_run_.begin(), first_run_.end() - 1);
-    for (std::uint32_t i = 0; i < runs_.size(); ++i) runs_of_block_[next[runs_[i].block]++] = i;
-    parent_.resize(places_.size());
-    std::iota(parent_.begin(), parent_.end(), 0u);
-  }
-
-  void join_neighbours(std::uint32_t block) {
-    const Place place = places_[block];
-    for (int dv = 0; dv <= reach_; ++dv) {
-      for (int du = dv == 0 ? 1 : -reach_; du <= reach_; ++du) {
-        const auto other = blocks_.find(pair_key(place.u + du, place.v + dv));
-        if (other == blocks_.end() || root_of(block) == root_of(other->second)) continue;
-        if (are_near(block, other->second)) unite(block, other->second);
-      }
-    }
+  void join(std::uint32_t a, std::uint32_t b) {
+    const std::uint32_t root_a = root_of(a), root_b = root_of(b);
+    if (root_a == root_b || !are_near(a, b)) return;
+    blocks_[std::max(root_a, root_b)].parent = std::min(root_a, root_b);
   }
 
   bool are_near(std::uint32_t a, std::uint32_t b) const {
-    for (std::uint32_t i = first_run_[a]; i < first_run_[a + 1]; ++i) {
-      for (std::uint32_t j = first_run_[b]; j < first_run_[b + 1]; ++j) {
-        const Run &p = runs_[runs_of_block_[i]], &q = runs_[runs_of_block_[j]];
-        const double du = std::max({0, q.u_first - p.u_last, p.u_first - q.u_last});
-        const double dv = p.v - q.v;
+    for (std::uint32_t i = blocks_[a].last_run; i != none; i = runs_[i].previous) {
+      for (std::uint32_t j = blocks_[b].last_run; j != none; j = runs_[j].previous) {
+        const Run &p = runs_[i], &q = runs_[j];
+        const int p_last = p.u + static_cast<int>(p.length) - 1;
+        const int q_last = q.u + static_cast<int>(q.length) - 1;
+        const double du = std::max({0, q.u - p_last, p.u - q_last}), dv = p.v - q.v;
         if (du * du + dv * dv <= gap_square_) return true;
       }
     }
@@ -100,41 +136,26 @@ class Linkage {
   }
 
   std::uint32_t root_of(std::uint32_t block) {
-    while (parent_[block] != block) block = parent_[block] = parent_[parent_[block]];
+    while (blocks_[block].parent != block) {
+      block = blocks_[block].parent = blocks_[blocks_[block].parent].parent;
+    }
     return block;
-  }
-  void unite(std::uint32_t a, std::uint32_t b) {
-    a = root_of(a), b = root_of(b);
-    parent_[std::max(a, b)] = std::min(a, b);
   }
 
   double gap_square_;
-  int side_, reach_;
+  int side_, reach_, first_column_ = 0;
   std::vector<Run> runs_;
-  tsl::robin_map<std::uint64_t, std::uint32_t, KeyHash> blocks_;
-  std::vector<Place> places_;                             // of each block
-  std::vector<std::uint32_t> first_run_, runs_of_block_;  // of each block
-  std::vector<std::uint32_t> parent_;                     // of each block
+  std::vector<Block> blocks_;
+  std::uint32_t first_of_band_ = 0;                // block
+  std::vector<std::vector<std::uint32_t>> bands_;  // blocks by column; the latest band first
 };
 
 }  // namespace
 
 std::vector<int> connected_components(const std::vector<PlaneCell>& cells, double cell_size_m,
                                       double gap_m) {
-  const std::vector<std::uint32_t> roots = Linkage(cells, gap_m / cell_size_m + 1e-6).roots();
-  std::vector<std::size_t> sizes(cells.size(), 0);
-  for (const std::uint32_t root : roots) ++sizes[root];
-  std::vector<std::uint32_t> order;
-  for (std::uint32_t root = 0; root < sizes.size(); ++root) {
-    if (sizes[root] > 0) order.push_back(root);
-  }
-  std::stable_sort(order.begin(), order.end(),
-                   [&](std::uint32_t a, std::uint32_t b) { return sizes[a] > sizes[b]; });
-  std::vector<int> numbers(cells.size(), 0), components;
-  for (std::size_t i = 0; i < order.size(); ++i) numbers[order[i]] = static_cast<int>(i);
-  components.reserve(roots.size());
-  for (const std::uint32_t root : roots) components.push_back(numbers[root]);
-  return components;
+  if (cells.empty()) return {};
+  return Linkage(cells, gap_m / cell_size_m + 1e-6).components(cells.size());
 }
 
 }  // namespace ribbon_mapper

@@ -6,6 +6,7 @@
 
 #include "modeler/geometry/pose.hpp"
 #include "modeler/map/posed_ribbon.hpp"
+#include "modeler/map/posed_samples.hpp"
 #include "modeler/ribbon/stray_points.hpp"
 
 namespace ribbon_mapper {
@@ -31,6 +32,10 @@ class Evidence {
   std::size_t ribbon_count() const { return ribbons_->size(); }
   const Ribbon& source(std::size_t index) const { return (*ribbons_)[index]; }
   PosedRibbon ribbon(std::size_t index) const {
+    const Ribbon& ribbon = source(index);
+    return {ribbon, T_world_base(ribbon.pose)};
+  }
+  PosedSamples samples(std::size_t index) const {
     const Ribbon& ribbon = source(index);
     return {ribbon, T_world_base(ribbon.pose)};
   }

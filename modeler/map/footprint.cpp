@@ -3,44 +3,44 @@
 #include "modeler/map/footprint.hpp"
 
 #include <algorithm>
-#include <cmath>
-
-#include "modeler/map/grid_keys.hpp"
 
 namespace ribbon_mapper {
 
 Footprint::Footprint(const Plane& plane, double reach_m)
-    : plane_(&plane), blocks_per_m_(1.0 / reach_m) {
+    : plane_(&plane), blocks_per_cell_(plane.cell_size_m / reach_m) {
   if (plane.cells.empty()) return;
-  const double blocks_per_cell = plane.cell_size_m * blocks_per_m_;
-  const auto block_of = [&](int cell) { return floor_to_int((cell + 0.5) * blocks_per_cell); };
-  int u_first = plane.cells.front().u, u_last = u_first;
-  for (const PlaneCell& cell : plane.cells) {
+  mark_cells();
+  mark_around();
+}
+
+/// Of each block, whether it holds a cell's centre; there are free blocks all around.
+void Footprint::mark_cells() {
+  const std::vector<PlaneCell>& cells = plane_->cells;
+  const auto block_of = [&](int cell) { return floor_to_int((cell + 0.5) * blocks_per_cell_); };
+  int u_first = cells.front().u, u_last = u_first;
+  for (const PlaneCell& cell : cells) {
     u_first = std::min(u_first, cell.u), u_last = std::max(u_last, cell.u);
   }
-  u0_ = block_of(u_first) - 1, v0_ = block_of(plane.cells.front().v) - 1;  // sorted by (v, u)
-  columns_ = block_of(u_last) + 2 - u0_, rows_ = block_of(plane.cells.back().v) + 2 - v0_;
-  is_beside_.assign(static_cast<std::size_t>(columns_) * rows_, 0);
-  int last_u = -1, last_v = -1, row = plane.cells.front().v - 1, v = 0;
-  for (const PlaneCell& cell : plane.cells) {
-    if (cell.v != row) row = cell.v, v = block_of(row) - v0_;
-    const int u = block_of(cell.u) - u0_;
-    if (u == last_u && v == last_v) continue;
-    last_u = u, last_v = v;
-    for (int dv = -1; dv <= 1; ++dv) {
-      const auto middle = is_beside_.begin() + static_cast<std::ptrdiff_t>(v + dv) * columns_ + u;
-      std::fill(middle - 1, middle + 2, char{1});
-    }
+  u0_ = block_of(u_first) - 1, v0_ = block_of(cells.front().v) - 1;  // sorted by (v, u)
+  columns_ = block_of(u_last) + 2 - u0_, rows_ = block_of(cells.back().v) + 2 - v0_;
+  is_beside_.assign(index(0, rows_), 0);
+  std::vector<int> column_of;  // of each column of cells
+  for (int u = u_first; u <= u_last; ++u) column_of.push_back(block_of(u) - u0_);
+  int v = cells.front().v;
+  char* row = &is_beside_[index(0, 1)];
+  for (const PlaneCell& cell : cells) {
+    if (cell.v != v) v = cell.v, row = &is_beside_[index(0, block_of(v) - v0_)];
+    row[column_of[static_cast<std::size_t>(cell.u - u_first)]] = 1;
   }
 }
 
-bool Footprint::holds(const Eigen::Vector3d& point, double tolerance_m) const {
-  if (std::abs(plane_->normal.dot(point) + plane_->d_m) > tolerance_m) return false;
-  const Eigen::Vector3d place = point - plane_->origin;
-  const int u = floor_to_int(place.dot(plane_->axis_u) * blocks_per_m_) - u0_;
-  const int v = floor_to_int(place.dot(plane_->axis_v) * blocks_per_m_) - v0_;
-  return u >= 0 && v >= 0 && u < columns_ && v < rows_ &&
-         is_beside_[static_cast<std::size_t>(v) * columns_ + u] != 0;
+/// The same of a block or one of the eight around it: first along rows, then along columns.
+void Footprint::mark_around() {
+  for (const std::size_t step : {index(1, 0), index(0, 1)}) {
+    std::vector<char>& beside = is_beside_;
+    for (std::size_t i = beside.size() - 1; i >= step; --i) beside[i] |= beside[i - step];
+    for (std::size_t i = 0; i + step < beside.size(); ++i) beside[i] |= beside[i + step];
+  }
 }
 
 }  // namespace ribbon_mapper

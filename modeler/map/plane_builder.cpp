@@ -9,6 +9,7 @@
 #include "modeler/map/curvature.hpp"
 #include "modeler/map/outline.hpp"
 #include "modeler/map/pieces.hpp"
+#include "modeler/map/strays.hpp"
 #include "modeler/map/surface.hpp"
 
 namespace ribbon_mapper {
@@ -67,12 +68,12 @@ std::vector<Surface> without_bevels(std::vector<Surface> surfaces, const PlaneMa
 }
 
 /// Takes out what is too small, curved or a bevel; the others by id, in the map frame.
-std::vector<Plane> finished(const std::vector<Surface>& surfaces, double least_area_m2,
+std::vector<Plane> finished(std::vector<Surface> surfaces, double least_area_m2,
                             const Evidence& evidence, const PlaneMapConfig& config) {
   std::vector<Plane> planes;
-  for (const Surface& surface : surfaces) {
-    const Plane& plane = surface.plane();
-    if (plane.area_m2 >= least_area_m2 && !is_curved(plane, config)) planes.push_back(plane);
+  for (Surface& surface : surfaces) {
+    if (surface.plane().area_m2 < least_area_m2 || is_curved(surface.plane(), config)) continue;
+    planes.push_back(surface.take_plane());
   }
   planes = without_bevels(std::move(planes), config);
   for (Plane& plane : planes) move(plane, evidence.T_map_world());
@@ -138,7 +139,7 @@ std::vector<Plane> confirmed_planes(const std::vector<Hypothesis>& hypotheses,
     if (!is_promising(config.confirmed_area_m2, hypothesis, evidence, config)) continue;
     surfaces.emplace_back(hypothesis, evidence, config);
   }
-  return finished(surfaces, config.confirmed_area_m2, evidence, config);
+  return finished(std::move(surfaces), config.confirmed_area_m2, evidence, config);
 }
 
 std::vector<Plane> filtered_planes(const std::vector<Hypothesis>& hypotheses,
@@ -153,7 +154,7 @@ std::vector<Plane> filtered_planes(const std::vector<Hypothesis>& hypotheses,
                                   return is_row_of_things(surface.plane(), gates, config);
                                 }),
                  surfaces.end());
-  std::vector<Plane> planes = finished(surfaces, config.least_area_m2, evidence, config);
+  std::vector<Plane> planes = finished(std::move(surfaces), config.least_area_m2, evidence, config);
   for (Plane& plane : planes) plane.outline = outline_of(plane, config.bridged_gap_m);
   return planes;
 }

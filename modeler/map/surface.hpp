@@ -4,6 +4,7 @@
 
 #include <Eigen/Core>
 #include <cstdint>
+#include <utility>
 
 #include "modeler/map/cell_grid.hpp"
 #include "modeler/map/evidence.hpp"
@@ -19,9 +20,12 @@ class Surface {
   Surface(const Hypothesis& hypothesis, const Evidence& evidence, const PlaneMapConfig& config);
 
   const Plane& plane() const { return plane_; }
+  Plane take_plane() { return std::move(plane_); }
 
-  /// Cells that points of no ribbon have seen; refresh() makes them part of the plane.
-  void add(const Eigen::Vector3d& point, std::uint32_t count) { grid_.add(point, count); }
+  /// Column and row in the grid, with fractions, and distance from the plane [m].
+  Eigen::Vector3d place_of(const Eigen::Vector3d& point) const { return grid_.place_of(point); }
+  /// A point of no ribbon, by its place; refresh() makes its cell part of the plane.
+  void add(const Eigen::Vector3d& place, std::uint32_t count) { grid_.add_at(place, count); }
   /// A ribbon of no hypothesis, most of whose points were added.
   void own(std::uint32_t ribbon) { plane_.ribbons.push_back(ribbon); }
   void refresh();
@@ -30,11 +34,5 @@ class Surface {
   Plane plane_;
   CellGrid grid_;
 };
-
-/// Gives each point of no ribbon, or of a ribbon of no surface (one whose normal was spoilt by an
-/// edge or a short base line), to the surface that it lies on, beside what ribbons have seen of
-/// that: the area of a small plane, or of one seen at a slant, is that of all that was seen.
-void take_strays(const Evidence& evidence, const PlaneMapConfig& config,
-                 std::vector<Surface>& surfaces);
 
 }  // namespace ribbon_mapper

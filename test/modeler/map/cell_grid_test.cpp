@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <map>
 #include <numeric>
@@ -84,7 +85,7 @@ TEST(CellGrid, AgreesWithASlowReference) {
   SlowGrid slow;
   for (int i = 0; i < 200; ++i) {
     const Ribbon ribbon = scattered_ribbon(frame, random, pose);
-    grid.add(PosedRibbon(ribbon, pose));
+    grid.add(PosedSamples(ribbon, pose));
     add_slowly(ribbon, pose, frame, slow);
   }
   const std::vector<PlaneCell> cells = grid.cells();
@@ -160,6 +161,9 @@ TEST(ConnectedComponents, AreThoseOfFlooding) {
     std::vector<PlaneCell> cells;
     for (int i = 0; i < 3000 / (gap * gap) + 20; ++i)
       cells.push_back({place(random), place(random), 1, 0, 0});
+    std::sort(cells.begin(), cells.end(), [](const PlaneCell& a, const PlaneCell& b) {
+      return std::pair(a.v, a.u) < std::pair(b.v, b.u);
+    });
     const auto fast = connected_components(cells, 0.05, gap * 0.05);
     const auto slow = flooded(cells, gap);
     std::map<int, int> pairs;

@@ -1,0 +1,176 @@
+// SPDX-FileCopyrightText: 2026 ribbon_mapper authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "modeler/map/strays.hpp"
+
+#include <tsl/robin_map.h>
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "modeler/map/footprint.hpp"
+#include "modeler/map/voxel_key.hpp"
+
+namespace ribbon_mapper {
+namespace {
+
+/// Which surfaces a point may lie on, by the voxel that it is in.
+class SurfaceIndex {
+ public:
+  /// `reach_m`: from the centre of a footprint's block to the furthest point that lies on it.
+  explicit SurfaceIndex(double reach_m) : reach_m_(reach_m), voxel_m_(8.0 * reach_m) {}
+
+  struct Candidate {
+    Eigen::Vector3f normal;  // of the plane of a surface: tells most that are too far
+    float d_m;
+    std::uint32_t surface;
+  };
+
+  /// To be called for one surface after the other.
+  void enter(std::uint32_t surface, const Footprint& footprint) {
+    const Plane& plane = footprint.plane();
+    const Candidate candidate{plane.normal.cast<float>(), static_cast<float>(plane.d_m), surface};
+    VoxelKey last_low = nowhere, last_high = nowhere;
+    footprint.for_each_block([&](const Eigen::Vector3d& centre) {
+      const VoxelKey low = voxel_key(centre.array() - reach_m_, voxel_m_);
+      const VoxelKey high = voxel_key(centre.array() + reach_m_, voxel_m_);
+      if (low == last_low && high == last_high) return;
+      last_low = low, last_high = high;
+      for (int corner = 0; corner < (low == high ? 1 : 8); ++corner) {
+        const Eigen::Array3d side(corner & 1, (corner >> 1) & 1, corner >> 2);
+        enter(voxel_key(centre.array() + (2.0 * side - 1.0) * reach_m_, voxel_m_), candidate);
+      }
+    });
+  }
+
+  const std::vector<Candidate>& near(const Eigen::Vector3d& point) {
+    const VoxelKey key = voxel_key(point, voxel_m_);
+    if (key != last_key_) {
+      last_key_ = key;
+      const auto found = candidates_.find(key);
+      last_ = found == candidates_.end() ? &none_ : &found->second;
+    }
+    return *last_;
+  }
+
+ private:
+  static constexpr VoxelKey nowhere = ~VoxelKey{0};
+
+  void enter(VoxelKey key, const Candidate& candidate) {
+    std::vector<Candidate>& here = candidates_[key];
+    if (here.empty() || here.back().surface != candidate.surface) here.push_back(candidate);
+  }
+
+  double reach_m_, voxel_m_;
+  tsl::robin_map<VoxelKey, std::vector<Candidate>, KeyHash> candidates_;
+  const std::vector<Candidate> none_;
+  VoxelKey last_key_ = nowhere;
+  const std::vector<Candidate>* last_ = &none_;  // asked for last
+};
+
+/// Finds the surface that a single point lies on.
+class StrayTaker {
+ public:
+  StrayTaker(const PlaneMapConfig& config, std::vector<Surface>& surfaces)
+      : on_plane_m_(config.on_plane_m),
+        surfaces_(surfaces),
+        index_(std::hypot(config.beside_plane_m * M_SQRT1_2, config.on_plane_m)) {
+    for (std::uint32_t i = 0; i < surfaces.size(); ++i) {
+      footprints_.emplace_back(surfaces[i].plane(), config.beside_plane_m);
+      index_.enter(i, footprints_.back());
+    }
+  }
+
+  void give(const StrayPoints& strays, const Pose& T_world_base) {
+    const Eigen::Matrix3d R_world_base = T_world_base.linear();
+    const Eigen::Vector3d origin = T_world_base.translation();
+    const Eigen::Vector3d sensor = R_world_base * strays.sensor.cast<double>() + origin;
+    const auto faces = [&](const Plane& plane) {
+      return plane.normal.dot(sensor) + plane.d_m > 0.0;
+    };
+    for (const PackedPoint& packed : strays) {
+      give(R_world_base * strays.point(packed).cast<double>() + origin, packed.count, faces);
+    }
+  }
+
+  /// The surface that most of the points were given to owns the ribbon.
+  void give(const PosedSamples& ribbon, std::uint32_t index) {
+    const auto faces = [&](const Plane& plane) {
+      return plane.normal.dot(ribbon.normal) > least_cosine_of_side;
+    };
+    std::uint32_t all = 0;
+    given_.clear();
+    ribbon.samples.for_each([&](float along_m, float height_m, std::uint32_t count) {
+      all += count;
+      if (Surface* surface = give(ribbon.point(along_m, height_m), count, faces)) {
+        points_given_to(*surface) += count;
+      }
+    });
+    for (const auto& [surface, count] : given_) {
+      if (2 * count > all) surface->own(index);
+    }
+  }
+
+ private:
+  /// To the nearest of those that face the way that the point was seen from; none if all are too
+  /// far.
+  template <typename Faces>
+  Surface* give(const Eigen::Vector3d& point, std::uint32_t count, const Faces& faces) {
+    Surface* nearest = nullptr;
+    Eigen::Vector3d nearest_place;
+    double least_m = on_plane_m_;
+    const Eigen::Vector3f rough = point.cast<float>();
+    const float limit_m = static_cast<float>(on_plane_m_) + 1e-3F;  // above rounding
+    for (const auto& candidate : index_.near(point)) {
+      if (std::abs(candidate.normal.dot(rough) + candidate.d_m) > limit_m) continue;
+      Surface& surface = surfaces_[candidate.surface];
+      const Eigen::Vector3d place = surface.place_of(point);
+      const double distance = std::abs(place.z());
+      if (distance > least_m || !faces(surface.plane())) continue;
+      if (!footprints_[candidate.surface].covers(place.x(), place.y())) continue;
+      nearest = &surface, nearest_place = place, least_m = distance;
+    }
+    if (nearest) nearest->add(nearest_place, count);
+    return nearest;
+  }
+
+  std::uint32_t& points_given_to(Surface& surface) {
+    for (auto& [other, count] : given_) {
+      if (other == &surface) return count;
+    }
+    return given_.emplace_back(&surface, 0u).second;
+  }
+
+  double on_plane_m_;
+  std::vector<Surface>& surfaces_;
+  SurfaceIndex index_;
+  std::vector<Footprint> footprints_;
+  std::vector<std::pair<Surface*, std::uint32_t>> given_;  // points of one ribbon
+};
+
+/// Of each ribbon, whether it belongs to a surface.
+std::vector<bool> owned_ribbons(const std::vector<Surface>& surfaces, std::size_t count) {
+  std::vector<bool> owned(count, false);
+  for (const Surface& surface : surfaces) {
+    for (const std::uint32_t ribbon : surface.plane().ribbons) owned[ribbon] = true;
+  }
+  return owned;
+}
+
+}  // namespace
+
+void take_strays(const Evidence& evidence, const PlaneMapConfig& config,
+                 std::vector<Surface>& surfaces) {
+  StrayTaker taker(config, surfaces);
+  for (std::size_t line = 0; line < evidence.stray_lines(); ++line) {
+    const StrayPoints& strays = evidence.strays(line);
+    taker.give(strays, evidence.T_world_base(strays.pose));
+  }
+  const std::vector<bool> owned = owned_ribbons(surfaces, evidence.ribbon_count());
+  for (std::uint32_t i = 0; i < owned.size(); ++i) {
+    if (!owned[i]) taker.give(evidence.samples(i), i);
+  }
+  for (Surface& surface : surfaces) surface.refresh();
+}
+
+}  // namespace ribbon_mapper
