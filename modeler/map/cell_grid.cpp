@@ -4,8 +4,6 @@
 
 #include <algorithm>
 
-#include "modeler/map/grid_keys.hpp"
-
 namespace ribbon_mapper {
 namespace {
 
@@ -17,7 +15,8 @@ using Counts = Eigen::Array<float, rows, columns, Eigen::RowMajor>;
 
 }  // namespace
 
-/// A tile and the counts that its cells have at least if noise did not spill them.
+/// A tile and the counts that its cells have at least if they were seen and noise did not spill
+/// them.
 struct CellGrid::Screened {
   static constexpr int n = tile_side;
 
@@ -42,9 +41,9 @@ struct CellGrid::Screened {
     }
     const Counts<n + 2, n> most_in_row =
         counts.leftCols<n>().max(counts.middleCols<n>(1)).max(counts.rightCols<n>());
-    least =
-        spilled_share *
+    const Counts<n, n> most =
         most_in_row.topRows<n>().max(most_in_row.middleRows<n>(1)).max(most_in_row.bottomRows<n>());
+    least = (spilled_share * most).max(1.0F);
     tile = tiles.find(row)->find(column)->get();
   }
 
@@ -56,9 +55,9 @@ struct CellGrid::Screened {
   struct Side {
     explicit Side(int d)
         : from(d < 0 ? n - 1 : 0),
-          to(d < 0   ? 0
-             : d > 0 ? n + 1
-                     : 1),
+          to(d == 0  ? 1
+             : d < 0 ? 0
+                     : n + 1),
           length(d == 0 ? n : 1) {}
     int from, to, length;
   };
@@ -102,11 +101,6 @@ void CellGrid::add(const PosedSamples& ribbon) {
   });
 }
 
-void CellGrid::add_at(const Eigen::Vector3d& place, std::uint32_t count) {
-  const int u = floor_to_int(place.x()), v = floor_to_int(place.y());
-  tile_of(u, v).at(u, v).add(static_cast<float>(count), static_cast<float>(place.z()), 0.0F);
-}
-
 void CellGrid::append_cells(int row, std::vector<PlaneCell>& cells) const {
   const TileRow& tile_row = *tiles_.find(row);
   std::vector<Screened> tiles;
@@ -117,7 +111,7 @@ void CellGrid::append_cells(int row, std::vector<PlaneCell>& cells) const {
     for (const Screened& screened : tiles) {
       for (int u = 0; u < tile_side; ++u) {
         const Sums& sums = screened.tile->sums[v * tile_side + u];
-        if (sums.count <= 0.0F || sums.count < screened.least(v, u)) continue;
+        if (sums.count < screened.least(v, u)) continue;
         const float mean = sums.distance_m / sums.count;
         const float variance = std::max(0.0F, sums.square_m2 / sums.count - mean * mean);
         cells.push_back({screened.tile->u0 + u, screened.tile->v0 + v,
