@@ -13,6 +13,23 @@ constexpr float spilled_share = 0.05F;
 template <int rows, int columns>
 using Counts = Eigen::Array<float, rows, columns, Eigen::RowMajor>;
 
+/// A place along an axis of the grid [cells], exact to the 2^32nd part of a cell: to multiply and
+/// to round down takes a single instruction each.
+class FixedPoint {
+ public:
+  explicit FixedPoint(double cells) : parts_(static_cast<std::int64_t>(cells * one)) {}
+
+  int floor() const { return static_cast<int>(parts_ >> 32); }
+  FixedPoint operator+(FixedPoint other) const { return FixedPoint(parts_ + other.parts_); }
+  friend FixedPoint operator*(int factor, FixedPoint x) { return FixedPoint(factor * x.parts_); }
+
+ private:
+  static constexpr double one = 4294967296.0;  // 2^32
+  explicit FixedPoint(std::int64_t parts) : parts_(parts) {}
+
+  std::int64_t parts_;
+};
+
 }  // namespace
 
 /// A tile and the counts that its cells have at least if they were seen and noise did not spill
@@ -83,21 +100,19 @@ CellGrid::Tile& CellGrid::tile_of(int u, int v) {
 void CellGrid::add(const PosedSamples& ribbon) {
   const RibbonSamples& samples = ribbon.samples;
   const Eigen::Vector3d start = place_of(ribbon.point(samples.start_m, 0.0F));
-  const int u0 = floor_to_int(start.x()), v0 = floor_to_int(start.y());
-  const Eigen::Vector3f first = (start - Eigen::Vector3d(u0, v0, 0.0)).cast<float>();
-  const Eigen::Vector3f step =
-      (to_grid_ * (RibbonSamples::along_step_m * ribbon.along)).cast<float>();
-  const auto height_step =
+  const Eigen::Vector3d step = to_grid_ * (RibbonSamples::along_step_m * ribbon.along);
+  const FixedPoint u_start(start.x()), v_start(start.y()), u_step(step.x()), v_step(step.y());
+  const auto first_m = static_cast<float>(start.z()), step_m = static_cast<float>(step.z());
+  const auto height_step_m =
       static_cast<float>(to_grid_.row(2).dot(ribbon.normal) * samples.height_step_m);
-  const float own_square = samples.variance_m2;
-  Tile* tile = &tile_of(u0, v0);
+  const float own_square_m2 = samples.variance_m2;
+  Tile* tile = &tile_of(u_start.floor(), v_start.floor());
   samples.for_each_packed([&](int steps, const PackedSample& sample) {
-    const auto way = static_cast<float>(steps);
-    const int u = u0 + floor_to_int(first.x() + way * step.x());
-    const int v = v0 + floor_to_int(first.y() + way * step.y());
+    const int u = (u_start + steps * u_step).floor(), v = (v_start + steps * v_step).floor();
     if (!tile->covers(u, v)) tile = &tile_of(u, v);
-    const float distance = first.z() + way * step.z() + sample.height * height_step;
-    tile->at(u, v).add(sample.count, distance, own_square);
+    const float distance_m =
+        first_m + static_cast<float>(steps) * step_m + sample.height * height_step_m;
+    tile->at(u, v).add(sample.count, distance_m, own_square_m2);
   });
 }
 
