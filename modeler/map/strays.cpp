@@ -83,7 +83,7 @@ class StrayTaker {
   StrayTaker(const PlaneMapConfig& config, std::vector<Surface>& surfaces)
       : on_plane_m_(config.on_plane_m),
         surfaces_(surfaces),
-        index_(std::hypot(config.beside_plane_m * M_SQRT1_2, config.on_plane_m)) {
+        index_(1.001 * std::hypot(M_SQRT1_2 * config.beside_plane_m, config.on_plane_m)) {
     for (std::uint32_t i = 0; i < surfaces.size(); ++i) {
       footprints_.emplace_back(surfaces[i].plane(), config.beside_plane_m);
       index_.enter(i, footprints_.back());
