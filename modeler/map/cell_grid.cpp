@@ -88,11 +88,10 @@ CellGrid::CellGrid(const Plane& frame) {
 }
 
 CellGrid::Tile& CellGrid::tile_of(int u, int v) {
-  if (last_ && last_->covers(u, v)) return *last_;
   const int column = u >> tile_bits, row = v >> tile_bits;
   std::unique_ptr<Tile>& tile = tiles_.at(row).at(column);
   if (!tile) tile = std::make_unique<Tile>(column * tile_side, row * tile_side);
-  return *(last_ = tile.get());
+  return *tile;
 }
 
 /// Along a ribbon, places in the grid are linear in the steps. Heights do not move a sample to

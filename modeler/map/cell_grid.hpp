@@ -75,7 +75,6 @@ class CellGrid {
   Eigen::Matrix3d to_grid_;  // rows: axis_u, axis_v in cells; normal in metres
   Eigen::Vector3d grid_shift_;
   TwoSidedVector<TileRow> tiles_;  // by row, then column of tiles
-  Tile* last_ = nullptr;
 };
 
 /// Component of each cell, numbered by size from 0 (the largest) on: cells whose centres lie within
