@@ -42,8 +42,8 @@ class CellBitmap {
   std::vector<GridCorner> follow(int u, int v, Words& lower_edges) const;
 
   int margin_, u0_, v0_;
-  int columns_, rows_;  // the last column stays empty: no square of the margin goes over to the
-                        // next row without touching it
+  /// The last column stays empty, so that what is joined beyond the end of a row is unseen, too.
+  int columns_, rows_;
   Words seen_;  // row after row
 };
 

@@ -4,8 +4,6 @@
 
 #include <algorithm>
 
-#include "modeler/map/grid_keys.hpp"
-
 namespace ribbon_mapper {
 namespace {
 
@@ -15,9 +13,27 @@ constexpr float spilled_share = 0.05F;
 template <int rows, int columns>
 using Counts = Eigen::Array<float, rows, columns, Eigen::RowMajor>;
 
+/// A place along an axis of the grid [cells], exact to the 2^32nd part of a cell: to multiply and
+/// to round down takes a single instruction each.
+class FixedPoint {
+ public:
+  explicit FixedPoint(double cells) : parts_(static_cast<std::int64_t>(cells * one)) {}
+
+  int floor() const { return static_cast<int>(parts_ >> 32); }
+  FixedPoint operator+(FixedPoint other) const { return FixedPoint(parts_ + other.parts_); }
+  friend FixedPoint operator*(int factor, FixedPoint x) { return FixedPoint(factor * x.parts_); }
+
+ private:
+  static constexpr double one = 4294967296.0;  // 2^32
+  explicit FixedPoint(std::int64_t parts) : parts_(parts) {}
+
+  std::int64_t parts_;
+};
+
 }  // namespace
 
-/// A tile and the counts that its cells have at least if noise did not spill them.
+/// A tile and the counts that its cells have at least if they were seen and noise did not spill
+/// them.
 struct CellGrid::Screened {
   static constexpr int n = tile_side;
 
@@ -42,9 +58,9 @@ struct CellGrid::Screened {
     }
     const Counts<n + 2, n> most_in_row =
         counts.leftCols<n>().max(counts.middleCols<n>(1)).max(counts.rightCols<n>());
-    least =
-        spilled_share *
+    const Counts<n, n> most =
         most_in_row.topRows<n>().max(most_in_row.middleRows<n>(1)).max(most_in_row.bottomRows<n>());
+    least = (spilled_share * most).max(1.0F);
     tile = tiles.find(row)->find(column)->get();
   }
 
@@ -56,9 +72,9 @@ struct CellGrid::Screened {
   struct Side {
     explicit Side(int d)
         : from(d < 0 ? n - 1 : 0),
-          to(d < 0   ? 0
-             : d > 0 ? n + 1
-                     : 1),
+          to(d == 0  ? 1
+             : d < 0 ? 0
+                     : n + 1),
           length(d == 0 ? n : 1) {}
     int from, to, length;
   };
@@ -72,11 +88,10 @@ CellGrid::CellGrid(const Plane& frame) {
 }
 
 CellGrid::Tile& CellGrid::tile_of(int u, int v) {
-  if (last_ && last_->covers(u, v)) return *last_;
   const int column = u >> tile_bits, row = v >> tile_bits;
   std::unique_ptr<Tile>& tile = tiles_.at(row).at(column);
   if (!tile) tile = std::make_unique<Tile>(column * tile_side, row * tile_side);
-  return *(last_ = tile.get());
+  return *tile;
 }
 
 /// Along a ribbon, places in the grid are linear in the steps. Heights do not move a sample to
@@ -84,27 +99,20 @@ CellGrid::Tile& CellGrid::tile_of(int u, int v) {
 void CellGrid::add(const PosedSamples& ribbon) {
   const RibbonSamples& samples = ribbon.samples;
   const Eigen::Vector3d start = place_of(ribbon.point(samples.start_m, 0.0F));
-  const int u0 = floor_to_int(start.x()), v0 = floor_to_int(start.y());
-  const Eigen::Vector3f first = (start - Eigen::Vector3d(u0, v0, 0.0)).cast<float>();
-  const Eigen::Vector3f step =
-      (to_grid_ * (RibbonSamples::along_step_m * ribbon.along)).cast<float>();
-  const auto height_step =
+  const Eigen::Vector3d step = to_grid_ * (RibbonSamples::along_step_m * ribbon.along);
+  const FixedPoint u_start(start.x()), v_start(start.y()), u_step(step.x()), v_step(step.y());
+  const auto first_m = static_cast<float>(start.z()), step_m = static_cast<float>(step.z());
+  const auto height_step_m =
       static_cast<float>(to_grid_.row(2).dot(ribbon.normal) * samples.height_step_m);
-  const float own_square = samples.variance_m2;
-  Tile* tile = &tile_of(u0, v0);
+  const float own_square_m2 = samples.variance_m2;
+  Tile* tile = &tile_of(u_start.floor(), v_start.floor());
   samples.for_each_packed([&](int steps, const PackedSample& sample) {
-    const auto way = static_cast<float>(steps);
-    const int u = u0 + floor_to_int(first.x() + way * step.x());
-    const int v = v0 + floor_to_int(first.y() + way * step.y());
+    const int u = (u_start + steps * u_step).floor(), v = (v_start + steps * v_step).floor();
     if (!tile->covers(u, v)) tile = &tile_of(u, v);
-    const float distance = first.z() + way * step.z() + sample.height * height_step;
-    tile->at(u, v).add(sample.count, distance, own_square);
+    const float distance_m =
+        first_m + static_cast<float>(steps) * step_m + sample.height * height_step_m;
+    tile->at(u, v).add(sample.count, distance_m, own_square_m2);
   });
-}
-
-void CellGrid::add_at(const Eigen::Vector3d& place, std::uint32_t count) {
-  const int u = floor_to_int(place.x()), v = floor_to_int(place.y());
-  tile_of(u, v).at(u, v).add(static_cast<float>(count), static_cast<float>(place.z()), 0.0F);
 }
 
 void CellGrid::append_cells(int row, std::vector<PlaneCell>& cells) const {
@@ -117,7 +125,7 @@ void CellGrid::append_cells(int row, std::vector<PlaneCell>& cells) const {
     for (const Screened& screened : tiles) {
       for (int u = 0; u < tile_side; ++u) {
         const Sums& sums = screened.tile->sums[v * tile_side + u];
-        if (sums.count <= 0.0F || sums.count < screened.least(v, u)) continue;
+        if (sums.count < screened.least(v, u)) continue;
         const float mean = sums.distance_m / sums.count;
         const float variance = std::max(0.0F, sums.square_m2 / sums.count - mean * mean);
         cells.push_back({screened.tile->u0 + u, screened.tile->v0 + v,

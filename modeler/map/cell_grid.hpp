@@ -8,6 +8,7 @@
 #include <memory>
 #include <vector>
 
+#include "modeler/map/grid_keys.hpp"
 #include "modeler/map/plane.hpp"
 #include "modeler/map/posed_samples.hpp"
 #include "modeler/map/two_sided_vector.hpp"
@@ -23,13 +24,18 @@ class CellGrid {
 
   /// Column and row, with fractions, and distance from the plane [m].
   Eigen::Vector3d place_of(const Eigen::Vector3d& point) const {
-    return to_grid_ * point + grid_shift_;
+    return to_grid_.col(0) * point.x() + to_grid_.col(1) * point.y() + to_grid_.col(2) * point.z() +
+           grid_shift_;
   }
 
   void add(const PosedSamples& ribbon);
   void add(const Eigen::Vector3d& point, std::uint32_t count) { add_at(place_of(point), count); }
   /// A point whose place is known.
-  void add_at(const Eigen::Vector3d& place, std::uint32_t count);
+  void add_at(const Eigen::Vector3d& place, std::uint32_t count) {
+    const int u = floor_to_int(place.x()), v = floor_to_int(place.y());
+    const auto distance_m = static_cast<float>(place.z());
+    tile_of(u, v).at(u, v).add(static_cast<float>(count), distance_m, 0.0F);
+  }
 
   /// Sorted by (v, u). Leaves out what noise spilled: it carries a few points over the edge of what
   /// many have seen.
@@ -69,7 +75,6 @@ class CellGrid {
   Eigen::Matrix3d to_grid_;  // rows: axis_u, axis_v in cells; normal in metres
   Eigen::Vector3d grid_shift_;
   TwoSidedVector<TileRow> tiles_;  // by row, then column of tiles
-  Tile* last_ = nullptr;
 };
 
 /// Component of each cell, numbered by size from 0 (the largest) on: cells whose centres lie within

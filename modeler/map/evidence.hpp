@@ -39,11 +39,25 @@ class Evidence {
     const Ribbon& ribbon = source(index);
     return {ribbon, T_world_base(ribbon.pose)};
   }
+  /// Somebody will ask for samples(index) very soon, for those of `later` soon: ribbons and their
+  /// samples lie all over the memory, and are fetched meanwhile.
+  void prefetch(std::size_t index, std::size_t later) const {
+    prefetch_lines<sizeof(Ribbon)>(&source(later));
+    prefetch_lines<64 * sizeof(PackedSample)>(source(index).samples.first);
+  }
 
   std::size_t stray_lines() const { return strays_->size(); }
   const StrayPoints& strays(std::size_t line) const { return (*strays_)[line]; }
 
  private:
+  template <std::size_t bytes>
+  static void prefetch_lines(const void* memory) {
+    constexpr std::size_t line = 64;
+    for (std::size_t i = 0; i < bytes; i += line) {
+      __builtin_prefetch(static_cast<const char*>(memory) + i);
+    }
+  }
+
   const std::vector<Ribbon>* ribbons_;
   const std::vector<StrayPoints>* strays_;
   Pose T_map_world_ = Pose::Identity();

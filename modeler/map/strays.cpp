@@ -18,7 +18,7 @@ namespace {
 class SurfaceIndex {
  public:
   /// `reach_m`: from the centre of a footprint's block to the furthest point that lies on it.
-  explicit SurfaceIndex(double reach_m) : reach_m_(reach_m), voxel_m_(8.0 * reach_m) {}
+  explicit SurfaceIndex(double reach_m) : reach_m_(reach_m), voxels_per_m_(0.125 / reach_m) {}
 
   struct Candidate {
     Eigen::Vector3f normal;  // of the plane of a surface: tells most that are too far
@@ -32,19 +32,19 @@ class SurfaceIndex {
     const Candidate candidate{plane.normal.cast<float>(), static_cast<float>(plane.d_m), surface};
     VoxelKey last_low = nowhere, last_high = nowhere;
     footprint.for_each_block([&](const Eigen::Vector3d& centre) {
-      const VoxelKey low = voxel_key(centre.array() - reach_m_, voxel_m_);
-      const VoxelKey high = voxel_key(centre.array() + reach_m_, voxel_m_);
+      const VoxelKey low = voxel_of(centre.array() - reach_m_);
+      const VoxelKey high = voxel_of(centre.array() + reach_m_);
       if (low == last_low && high == last_high) return;
       last_low = low, last_high = high;
       for (int corner = 0; corner < (low == high ? 1 : 8); ++corner) {
         const Eigen::Array3d side(corner & 1, (corner >> 1) & 1, corner >> 2);
-        enter(voxel_key(centre.array() + (2.0 * side - 1.0) * reach_m_, voxel_m_), candidate);
+        enter(voxel_of(centre.array() + (2.0 * side - 1.0) * reach_m_), candidate);
       }
     });
   }
 
   const std::vector<Candidate>& near(const Eigen::Vector3d& point) {
-    const VoxelKey key = voxel_key(point, voxel_m_);
+    const VoxelKey key = voxel_of(point);
     if (key != last_key_) {
       last_key_ = key;
       const auto found = candidates_.find(key);
@@ -56,12 +56,21 @@ class SurfaceIndex {
  private:
   static constexpr VoxelKey nowhere = ~VoxelKey{0};
 
+  VoxelKey voxel_of(const Eigen::Vector3d& point) const {
+    const auto part = [&](double x_m) {
+      constexpr VoxelKey mask = (VoxelKey{1} << voxel_key_bits) - 1;
+      return static_cast<VoxelKey>(floor_to_int(voxels_per_m_ * x_m)) & mask;
+    };
+    return (part(point.x()) << (2 * voxel_key_bits)) | (part(point.y()) << voxel_key_bits) |
+           part(point.z());
+  }
+
   void enter(VoxelKey key, const Candidate& candidate) {
     std::vector<Candidate>& here = candidates_[key];
     if (here.empty() || here.back().surface != candidate.surface) here.push_back(candidate);
   }
 
-  double reach_m_, voxel_m_;
+  double reach_m_, voxels_per_m_;
   tsl::robin_map<VoxelKey, std::vector<Candidate>, KeyHash> candidates_;
   const std::vector<Candidate> none_;
   VoxelKey last_key_ = nowhere;
@@ -74,7 +83,7 @@ class StrayTaker {
   StrayTaker(const PlaneMapConfig& config, std::vector<Surface>& surfaces)
       : on_plane_m_(config.on_plane_m),
         surfaces_(surfaces),
-        index_(std::hypot(config.beside_plane_m * M_SQRT1_2, config.on_plane_m)) {
+        index_(1.001 * std::hypot(M_SQRT1_2 * config.beside_plane_m, config.on_plane_m)) {
     for (std::uint32_t i = 0; i < surfaces.size(); ++i) {
       footprints_.emplace_back(surfaces[i].plane(), config.beside_plane_m);
       index_.enter(i, footprints_.back());
@@ -89,8 +98,12 @@ class StrayTaker {
       return plane.normal.dot(sensor) + plane.d_m > 0.0;
     };
     for (const PackedPoint& packed : strays) {
-      give(R_world_base * strays.point(packed).cast<double>() + origin, packed.count, faces);
+      const Eigen::Vector3d local = strays.point(packed).cast<double>();
+      find(R_world_base.col(0) * local.x() + R_world_base.col(1) * local.y() +
+               R_world_base.col(2) * local.z() + origin,
+           packed.count, faces);
     }
+    give_found();
   }
 
   /// The surface that most of the points were given to owns the ribbon.
@@ -99,25 +112,26 @@ class StrayTaker {
       return plane.normal.dot(ribbon.normal) > least_cosine_of_side;
     };
     std::uint32_t all = 0;
-    given_.clear();
     ribbon.samples.for_each([&](float along_m, float height_m, std::uint32_t count) {
       all += count;
-      if (Surface* surface = give(ribbon.point(along_m, height_m), count, faces)) {
-        points_given_to(*surface) += count;
-      }
+      find(ribbon.point(along_m, height_m), count, faces);
     });
-    for (const auto& [surface, count] : given_) {
-      if (2 * count > all) surface->own(index);
-    }
+    if (Surface* const owner = owner_of(all)) owner->own(index);
+    give_found();
   }
 
  private:
-  /// To the nearest of those that face the way that the point was seen from; none if all are too
-  /// far.
+  /// A point and the surface that it lies on.
+  struct Found {
+    Surface* surface;
+    Eigen::Vector3d place;
+    std::uint32_t count;
+  };
+
+  /// The nearest of those that face the way that the point was seen from; none if all are too far.
   template <typename Faces>
-  Surface* give(const Eigen::Vector3d& point, std::uint32_t count, const Faces& faces) {
-    Surface* nearest = nullptr;
-    Eigen::Vector3d nearest_place;
+  void find(const Eigen::Vector3d& point, std::uint32_t count, const Faces& faces) {
+    Found nearest{nullptr, point, count};
     double least_m = on_plane_m_;
     const Eigen::Vector3f rough = point.cast<float>();
     const float limit_m = static_cast<float>(on_plane_m_) + 1e-3F;  // above rounding
@@ -128,24 +142,35 @@ class StrayTaker {
       const double distance = std::abs(place.z());
       if (distance > least_m || !faces(surface.plane())) continue;
       if (!footprints_[candidate.surface].covers(place.x(), place.y())) continue;
-      nearest = &surface, nearest_place = place, least_m = distance;
+      nearest.surface = &surface, nearest.place = place, least_m = distance;
     }
-    if (nearest) nearest->add(nearest_place, count);
-    return nearest;
+    if (nearest.surface) found_.push_back(nearest);
   }
 
-  std::uint32_t& points_given_to(Surface& surface) {
-    for (auto& [other, count] : given_) {
-      if (other == &surface) return count;
+  /// All at once: cells lie all over the memory, the processor fetches several at a time.
+  void give_found() {
+    for (const Found& found : found_) found.surface->add(found.place, found.count);
+    found_.clear();
+  }
+
+  /// The surface with more than half of all points; null if there is none (vote of Boyer and Moore
+  /// 1991, then counted).
+  Surface* owner_of(std::uint32_t all) const {
+    Surface* leader = nullptr;
+    std::int64_t lead = 0, points = 0;
+    for (const Found& found : found_) {
+      lead += found.surface == leader ? found.count : -std::int64_t{found.count};
+      if (lead < 0) leader = found.surface, lead = -lead;
     }
-    return given_.emplace_back(&surface, 0u).second;
+    for (const Found& found : found_) points += found.surface == leader ? found.count : 0;
+    return 2 * points > all ? leader : nullptr;
   }
 
   double on_plane_m_;
   std::vector<Surface>& surfaces_;
   SurfaceIndex index_;
   std::vector<Footprint> footprints_;
-  std::vector<std::pair<Surface*, std::uint32_t>> given_;  // points of one ribbon
+  std::vector<Found> found_;  // of one line or ribbon
 };
 
 /// Of each ribbon, whether it belongs to a surface.

@@ -49,7 +49,14 @@ Plane frame_of(const Hypothesis& hypothesis, const PlaneMapConfig& config) {
 Surface::Surface(const Hypothesis& hypothesis, const Evidence& evidence,
                  const PlaneMapConfig& config)
     : plane_(frame_of(hypothesis, config)), grid_(plane_) {
-  for (const Member& member : hypothesis.members()) grid_.add(evidence.samples(member.ribbon));
+  const std::vector<Member>& members = hypothesis.members();
+  const auto ribbon = [&](std::size_t i) {
+    return members[std::min(i, members.size() - 1)].ribbon;
+  };
+  for (std::size_t i = 0; i < members.size(); ++i) {
+    evidence.prefetch(ribbon(i + 4), ribbon(i + 8));
+    grid_.add(evidence.samples(ribbon(i)));
+  }
   refresh();
 }
 

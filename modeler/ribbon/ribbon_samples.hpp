@@ -47,7 +47,7 @@ struct RibbonSamples {
   template <typename Function>
   void for_each_packed(const Function& function) const {
     int steps = 0;
-    for (const PackedSample* sample = first; sample != first + size; ++sample) {
+    for (const PackedSample *sample = first, *const end = first + size; sample != end; ++sample) {
       steps += sample->advance;
       if (sample->count > 0) function(steps, *sample);
     }

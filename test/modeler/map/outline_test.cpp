@@ -125,5 +125,54 @@ TEST(SurfaceRectangles, AreFew) {
   EXPECT_TRUE(surface_rectangles(level_plane(0.0, {})).empty());
 }
 
+using Place = std::pair<int, int>;
+using Places = std::set<Place>;
+
+/// All places within a square of the margin around a place.
+template <typename Function>
+void for_each_around(const Place& place, int margin, const Function& function) {
+  for (int du = -margin; du <= margin; ++du) {
+    for (int dv = -margin; dv <= margin; ++dv) function(Place(place.first + du, place.second + dv));
+  }
+}
+
+Places closed_slowly(const Places& places, int margin) {
+  Places dilated, closed;
+  for (const Place& place : places) {
+    for_each_around(place, margin, [&](const Place& around) { dilated.insert(around); });
+  }
+  for (const Place& place : dilated) {
+    bool is_inside = true;
+    for_each_around(place, margin,
+                    [&](const Place& around) { is_inside &= dilated.count(around) > 0; });
+    if (is_inside) closed.insert(place);
+  }
+  return closed;
+}
+
+TEST(SurfaceRectangles, CloseAsASlowReferenceDoes) {
+  std::mt19937 random(5);
+  std::uniform_int_distribution<int> column(-50, 60), row(-9, 20);
+  for (const int margin : {0, 1, 2, 5, 9}) {
+    Cells cells;
+    Places places;
+    for (int i = 0; i < 150; ++i) {
+      cells.push_back({column(random), row(random), 1, 0, 0});
+      places.emplace(cells.back().u, cells.back().v);
+    }
+    EXPECT_EQ(closed_slowly(places, margin),
+              cells_of(surface_rectangles(level_plane(0.0, cells), 2.0 * margin * 0.05 + 0.001)))
+        << margin;
+  }
+}
+
+TEST(SurfaceRectangles, CloseGapsOfMoreCellsThanAWordHasBits) {
+  const Plane plane = level_plane(0.0, rectangle(1, 40, -30, 0) + rectangle(1, 40, 101, 0));
+  const auto rectangles = surface_rectangles(plane, 7.01);
+  ASSERT_EQ(1u, rectangles.size());
+  EXPECT_EQ(132, rectangles[0].u_end - rectangles[0].u_begin);
+  EXPECT_EQ(2u, surface_rectangles(plane, 6.41).size());
+}
+
 }  // namespace
 }  // namespace ribbon_mapper
