@@ -50,7 +50,7 @@ bool has_room(double needed_mb, const std::string& section, const std::string& n
 /// Two periods of the tilt in the flat, in more and more places.
 void lines_over_planes(const Inputs& inputs, Report& report) {
   const std::string section = "growth: time of a line over planes";
-  Recording piece = inputs.tour;
+  Recording piece = inputs.recording;
   const auto middle = piece.lines.begin() + static_cast<std::ptrdiff_t>(piece.lines.size() / 2);
   piece.lines = std::vector<RecordedLine>(middle, middle + 240);
   const Tiles tiles(piece, kSpacing_m, 60);
@@ -119,13 +119,17 @@ nlohmann::json corrections_of(const Recording& tour, const ModelerConfig& config
   const auto tenth = bent(truth, 0.1), all = bent(truth, 1.0);
   std::vector<Plane> planes;
   result["line_s"] = line_s / static_cast<double>(number);
-  result["seconds"] = correction_s(modeler, truth, planes);
+  const double correct_s = seconds_of([&] { modeler.correct(truth); });
+  const double planes_s = seconds_of([&] { planes = modeler.merged_planes(); });
+  result["correct_s"] = correct_s, result["planes_s"] = planes_s;
+  result["seconds"] = correct_s + planes_s;
   result["planes"] = planes.size();
   result["f1"] = f1_of(tiles.judged(planes, number));
   result["area_m2"] = total_area_m2(planes);
   result["bytes"] = modeler.memory_bytes();
   result["ribbons"] = modeler.statistics().ribbons;
   result["thinned"] = modeler.statistics().thinned;
+  result["lines"] = modeler.trajectory().size();
   result["tenth_s"] = correction_s(modeler, tenth, planes);
   result["all_s"] = correction_s(modeler, all, planes);
   return result;
@@ -150,7 +154,8 @@ void correction_over_ribbons(const Inputs& inputs, Report& report) {
   for (const std::size_t number : numbers) {
     const double needed_mb = tour_mb * static_cast<double>(number);
     if (!has_room(needed_mb, section, formatted("%zu tours", number), report)) break;
-    const ChildResult run = corrections_in_child(inputs.tour, without_limit(inputs.config), number);
+    const ChildResult run =
+        corrections_in_child(inputs.recording, without_limit(inputs.config), number);
     const nlohmann::json& result = run.value;
     tour_mb = run.peak_mb / static_cast<double>(number);
     x.push_back(result["ribbons"]);
@@ -177,23 +182,24 @@ void correction_over_ribbons(const Inputs& inputs, Report& report) {
 /// Far more than `map.most_ribbons`: what is left, and what it is worth.
 void model_at_its_limit(const Inputs& inputs, Report& report) {
   if (inputs.options.quick || inputs.config.map.most_ribbons == 0) return;
-  const ChildResult run = corrections_in_child(inputs.tour, inputs.config, kMostTours);
+  const ChildResult run = corrections_in_child(inputs.recording, inputs.config, kMostTours);
   const nlohmann::json& result = run.value;
   const std::size_t kept = result["ribbons"], left_out = result["thinned"];
   const double megabytes = 1e-6 * result["bytes"].get<double>();
   const nlohmann::json& f1 = result["f1"];
-  report.add({formatted("growth: a model of %d ribbons at most", inputs.config.map.most_ribbons),
-              formatted("%zu ribbons seen: correction and planes", kept + left_out),
-              result["seconds"].get<double>(),
-              1e9 * result["seconds"].get<double>() / static_cast<double>(kept),
-              {},
-              run.peak_mb,
-              formatted("%zu kept, %.0f MB; %d planes, F1 first place %.3f, last %.3f, median "
-                        "%.3f, worst %.3f; line %.0f us in the mean, thinning included",
-                        kept, megabytes, result["planes"].get<int>(), f1["first"].get<double>(),
-                        f1["last"].get<double>(), f1["median"].get<double>(),
-                        f1["worst"].get<double>(), 1e6 * result["line_s"].get<double>()),
-              result});
+  report.add(
+      {formatted("growth: a model of %d ribbons at most", inputs.config.map.most_ribbons),
+       formatted("%zu ribbons seen: correction and planes", kept + left_out),
+       result["seconds"].get<double>(),
+       1e9 * result["seconds"].get<double>() / static_cast<double>(kept),
+       {},
+       run.peak_mb,
+       formatted("%zu kept of %d lines, %.0f MB; %d planes, F1 first place %.3f, last %.3f, median "
+                 "%.3f, worst %.3f; line %.0f us in the mean, thinning included",
+                 kept, result["lines"].get<int>(), megabytes, result["planes"].get<int>(),
+                 f1["first"].get<double>(), f1["last"].get<double>(), f1["median"].get<double>(),
+                 f1["worst"].get<double>(), 1e6 * result["line_s"].get<double>()),
+       result});
   report.set("limited_ribbons", static_cast<double>(kept));
   report.set("limited_mb", megabytes);
   report.set("limited_f1_last_place", f1["last"]);
@@ -205,7 +211,7 @@ nlohmann::json office_run(const Inputs& inputs, const Recording& tour) {
   const LineTimes times = feed(tour, modeler);
   std::vector<Plane> planes;
   nlohmann::json result;
-  result["line_s"] = median(times.modelled);
+  result["line_s"] = median(times.modelled());
   result["seconds"] = correction_s(modeler, true_trajectory(tour), planes);
   result["bytes"] = modeler.memory_bytes();
   result["ribbons"] = modeler.statistics().ribbons;
