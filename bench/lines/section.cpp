@@ -80,7 +80,8 @@ double solve_ns_around(const Inputs& inputs, const Work& work) {
 double measure_own_lines(const Inputs& inputs, const std::string& factor, Report& report) {
   LineTimes times;
   const double solve_ns = solve_ns_around(inputs, [&] {
-    times = median_line_times(inputs.recording, inputs.config, inputs.options.repetitions);
+    times = median_line_times(inputs.recording, inputs.config,
+                              inputs.options.repetitions * repetitions_factor(inputs.recording));
   });
   report.add({kSection, "one 3x3 eigen solve (computeDirect)", {}, solve_ns, {}, {}, "", {}});
   const Row row = row_of(inputs.recording, inputs.config.scan, times, solve_ns);

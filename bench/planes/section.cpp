@@ -34,7 +34,9 @@ class Contest {
     std::vector<double> seconds;
     nlohmann::json metrics;
     double peak_mb = 0.0;
-    for (int i = 0; i < std::min(3, inputs_.options.repetitions); ++i) {
+    const int runs =
+        std::min(3, inputs_.options.repetitions) * repetitions_factor(inputs_.recording);
+    for (int i = 0; i < runs; ++i) {
       const auto result = run_in_child([this] { return our_run(); }, inputs_.options.limit_s);
       if (!result) return;
       seconds.push_back(result->value["seconds"]);

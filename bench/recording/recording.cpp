@@ -26,6 +26,10 @@ std::vector<std::size_t> returns_of(const Recording& recording, const ScanConfig
   return counts;
 }
 
+int repetitions_factor(const Recording& recording) {
+  return 1 + static_cast<int>(5000 / recording.lines.size());
+}
+
 std::vector<StampedPose> true_trajectory(const Recording& recording) {
   std::vector<StampedPose> trajectory;
   for (const RecordedLine& line : recording.lines) {

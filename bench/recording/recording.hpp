@@ -39,6 +39,9 @@ struct Recording {
 /// Of each line, the number of beams that a preset takes for returns.
 std::vector<std::size_t> returns_of(const Recording& recording, const ScanConfig& config);
 
+/// How many times more often work on a short recording is repeated: medians of few lines waver.
+int repetitions_factor(const Recording& recording);
+
 /// The poses of all lines as they really were.
 std::vector<StampedPose> true_trajectory(const Recording& recording);
 
