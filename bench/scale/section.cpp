@@ -104,7 +104,8 @@ nlohmann::json f1_of(const std::vector<eval::MapMetrics>& places) {
   return {{"first", f1.front()},
           {"last", f1.back()},
           {"median", median(f1)},
-          {"worst", *std::min_element(f1.begin(), f1.end())}};
+          {"worst", *std::min_element(f1.begin(), f1.end())},
+          {"all", f1}};
 }
 
 /// The whole tour in `number` places, then corrections.
