@@ -16,12 +16,12 @@
 namespace ribbon_mapper::bench {
 namespace {
 
-double status_mb(const std::string& key) {
-  std::ifstream status("/proc/self/status");
-  for (std::string word; status >> word;) {
+double kernel_mb(const char* file, const std::string& key) {
+  std::ifstream stream(file);
+  for (std::string word; stream >> word;) {
     if (word != key) continue;
     double kilobytes = 0.0;
-    status >> kilobytes;
+    stream >> kilobytes;
     return kilobytes / 1024.0;
   }
   return 0.0;
@@ -62,9 +62,10 @@ std::string read_all(int file) {
 
 }  // namespace
 
-double resident_mb() { return status_mb("VmRSS:"); }
-double peak_resident_mb() { return status_mb("VmHWM:"); }
+double resident_mb() { return kernel_mb("/proc/self/status", "VmRSS:"); }
+double peak_resident_mb() { return kernel_mb("/proc/self/status", "VmHWM:"); }
 void reset_peak() { std::ofstream("/proc/self/clear_refs") << "5"; }
+double available_mb() { return kernel_mb("/proc/meminfo", "MemAvailable:"); }
 
 std::optional<ChildResult> run_in_child(const std::function<nlohmann::json()>& work,
                                         double limit_s) {

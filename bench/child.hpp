@@ -25,4 +25,7 @@ double resident_mb();
 double peak_resident_mb();
 void reset_peak();
 
+/// What the machine has left for new work [MB].
+double available_mb();
+
 }  // namespace ribbon_mapper::bench

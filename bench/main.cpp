@@ -6,12 +6,17 @@
 #include <sched.h>
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <cstdio>
 #include <exception>
+#include <stdexcept>
+#include <utility>
 
+#include "bench/recording/bag_recording.hpp"
 #include "bench/recording/tour_recording.hpp"
 #include "bench/sections.hpp"
 #include "eval/share.hpp"
+#include "modeler/bag/bag_check_options.hpp"
 #include "modeler/io/config_file.hpp"
 
 namespace {
@@ -29,6 +34,8 @@ constexpr Section kSections[] = {{"normals", measure_normals}, {"lines", measure
                                  {"memory", measure_memory},   {"rays", measure_rays},
                                  {"growth", measure_growth},   {"profile", run_for_profile, false}};
 
+constexpr const char* kBags = "bag";  // the section of the recordings
+
 /// One core for all that follows, so that no thread moves and none is added.
 void pin_to_one_core() {
   cpu_set_t cores;
@@ -37,11 +44,22 @@ void pin_to_one_core() {
   sched_setaffinity(0, sizeof cores, &cores);
 }
 
+void define_bags(CLI::App& app, Options& options, std::string& tf_drop_frames) {
+  app.add_option(
+      "--bag", options.bags,
+      "Recordings to be measured as well, each by itself: section \"bag\". Ratios of the "
+      "first are bag_*, of others bag_NAME_*. There is no truth; poses are taken as they "
+      "are recorded");
+  app.add_option("--bag-config", options.bag_configs,
+                 "Presets of the bags, in their order [that of --config]");
+  add_bag_options(app, options.bag, tf_drop_frames);
+}
+
 void define(CLI::App& app, Options& options) {
-  std::set<std::string> names;
+  std::set<std::string> names{kBags};
   for (const Section& section : kSections) names.insert(section.name);
   app.add_flag("--quick", options.quick,
-               "A part of the tour, few peers: for a look, not for a table");
+               "A part of each recording, few peers: for a look, not for a table");
   app.add_option("--only", options.sections, "Only these sections")
       ->delimiter(',')
       ->check(CLI::IsMember(names));
@@ -55,17 +73,44 @@ void define(CLI::App& app, Options& options) {
       ->capture_default_str();
 }
 
+/// A fifth, but some lines at least.
+void shorten(Recording& recording) {
+  const std::size_t lines = recording.lines.size();
+  recording = head_of(recording, std::max(lines / 5, std::min<std::size_t>(lines, 1000)));
+}
+
+Inputs inputs_of(const Options& options, const std::string& config, Recording recording) {
+  if (options.quick) shorten(recording);
+  return {options, load_config(eval::find_shared(config).string()), std::move(recording)};
+}
+
+std::vector<Inputs> bags_of(const Options& options) {
+  if (options.bag_configs.size() > options.bags.size()) {
+    throw std::runtime_error("there are more --bag-config than --bag");
+  }
+  if (options.bags.empty() && options.sections.count(kBags) > 0) {
+    throw std::runtime_error("--only bag: which one? give it by --bag FILE");
+  }
+  std::vector<Inputs> bags;
+  for (std::size_t i = 0; i < options.bags.size(); ++i) {
+    const bool has_config = i < options.bag_configs.size();
+    bags.push_back(inputs_of(options, has_config ? options.bag_configs[i] : options.config,
+                             recording_of_bag(options.bags[i], options.bag)));
+    require_ribbons(bags.back());
+  }
+  return bags;
+}
+
 void run(const Options& options) {
   pin_to_one_core();
-  Inputs inputs{options, load_config(eval::find_shared(options.config).string()),
-                recording_of(apartment_tour(), options.output)};
-  if (options.quick) inputs.tour = head_of(inputs.tour, inputs.tour.lines.size() / 5);
+  const std::vector<Inputs> bags = bags_of(options);  // first: what is wrong with one ends it all
+  const Inputs tour =
+      inputs_of(options, options.config, recording_of(apartment_tour(), options.output));
   Report report;
   for (const Section& section : kSections) {
-    const bool is_asked_for = options.sections.count(section.name) > 0;
-    if (is_asked_for || (options.sections.empty() && section.always))
-      section.measure(inputs, report);
+    if (options.asks_for(section.name, section.always)) section.measure(tour, report);
   }
+  if (options.asks_for(kBags, true)) measure_bags(bags, report);
   report.write(options.output, !options.sections.empty());
   std::printf("\n%s\nresults in %s\n", report.summary_text().c_str(), options.output.c_str());
 }
@@ -75,8 +120,11 @@ void run(const Options& options) {
 int main(int argc, char** argv) {
   Options options;
   CLI::App app{"Speed, memory and accuracy, ours beside the packaged peers, in one run"};
+  std::string tf_drop_frames;
   define(app, options);
+  define_bags(app, options, tf_drop_frames);
   CLI11_PARSE(app, argc, argv);
+  finish_bag_options(options.bag, tf_drop_frames);
   try {
     run(options);
     return 0;

@@ -5,6 +5,9 @@
 #include <filesystem>
 #include <set>
 #include <string>
+#include <vector>
+
+#include "modeler/bag/bag_lines.hpp"
 
 namespace ribbon_mapper::bench {
 
@@ -13,8 +16,15 @@ struct Options {
   std::set<std::string> sections;  ///< which ones; empty: all
   std::filesystem::path output = "results/bench";
   std::string config = "config/pr2.yaml";
-  double limit_s = 600.0;  ///< CPU time after which a peer is stopped
-  int repetitions = 5;     ///< of our own whole pipelines
+  std::vector<std::filesystem::path> bags;  ///< recordings to measure beside the tour
+  std::vector<std::string> bag_configs;     ///< their presets in this order; left out: `config`
+  BagOptions bag;                           ///< how they are read
+  double limit_s = 600.0;                   ///< CPU time after which a peer is stopped
+  int repetitions = 5;                      ///< of our own whole pipelines
+
+  bool asks_for(const std::string& section, bool always) const {
+    return sections.empty() ? always : sections.count(section) > 0;
+  }
 };
 
 }  // namespace ribbon_mapper::bench

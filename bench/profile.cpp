@@ -16,11 +16,11 @@ void enter(const char* stage) { prctl(PR_SET_NAME, stage); }
 
 /// Work for a profiler (bench/figures/profile.py), nothing to report.
 void run_for_profile(const Inputs& inputs, Report& /*report*/) {
-  const auto truth = true_trajectory(inputs.tour);
+  const auto truth = true_trajectory(inputs.recording);
   for (int i = 0; i < inputs.options.repetitions; ++i) {
     Modeler modeler(inputs.config);
     enter("lines");
-    feed(inputs.tour, modeler);
+    feed(inputs.recording, modeler);
     enter("correct");
     modeler.correct(truth);
     enter("planes");

@@ -59,12 +59,18 @@ std::string value_of(const std::filesystem::path& file, const std::string& key) 
 
 }  // namespace
 
-void Report::add(const Row& row) {
+void Report::begin_with(const std::string& section_prefix, const std::string& ratio_prefix) {
+  section_prefix_ = section_prefix;
+  ratio_prefix_ = ratio_prefix;
+}
+
+void Report::add(Row row) {
+  row.section = section_prefix_ + row.section;
   if (rows_.empty() || rows_.back().section != row.section) {
-    std::printf("\n%-58s %10s %9s %10s %8s  %s\n", row.section.c_str(), "time", "ns/item",
+    std::printf("\n%-68s %10s %9s %10s %8s  %s\n", row.section.c_str(), "time", "ns/item",
                 "over ours", "peak MB", "accuracy");
   }
-  std::printf("%-58s %10s %9s %10s %8s  %s\n", row.name.c_str(),
+  std::printf("%-68s %10s %9s %10s %8s  %s\n", row.name.c_str(),
               row.seconds ? time_text(*row.seconds).c_str() : "-",
               or_dash("%.1f", row.ns_per_item).c_str(), or_dash("%.2f", row.over_ours).c_str(),
               or_dash("%.0f", row.peak_mb).c_str(), row.accuracy.c_str());

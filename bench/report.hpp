@@ -27,8 +27,11 @@ struct Row {
 /// All rows of a run, and its ratios by name.
 class Report {
  public:
-  void add(const Row& row);
-  void set(const std::string& ratio, double value) { summary_[ratio] = value; }
+  void add(Row row);
+  void set(const std::string& ratio, double value) { summary_[ratio_prefix_ + ratio] = value; }
+
+  /// From now on the names of sections and ratios begin with these: rows of another recording.
+  void begin_with(const std::string& section_prefix, const std::string& ratio_prefix);
 
   /// bench.json and summary.json, each whole or not at all; sections of an earlier run that this
   /// one did not measure stay only if `keep_others`. A section is always of one run.
@@ -37,6 +40,7 @@ class Report {
   std::string summary_text() const;
 
  private:
+  std::string section_prefix_, ratio_prefix_;
   std::vector<Row> rows_;
   std::map<std::string, double> summary_;
 };

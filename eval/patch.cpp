@@ -30,8 +30,9 @@ std::vector<Patch> patches_of(const std::vector<Plane>& planes) {
   return patches;
 }
 
-Plane plane_of(const Patch& patch, std::int64_t id) {
+Plane plane_of(const Patch& patch, std::int64_t id, double cell_size_m) {
   Plane plane;
+  plane.cell_size_m = cell_size_m;
   plane.id = id;
   plane.normal = patch.normal;
   plane.d_m = patch.d_m;

@@ -21,7 +21,7 @@ Patch patch_of(const Plane& plane);
 std::vector<Patch> patches_of(const std::vector<Plane>& planes);
 
 /// A plane with a grid of its own, laid over the cells of the patch; it has no outline.
-Plane plane_of(const Patch& patch, std::int64_t id);
+Plane plane_of(const Patch& patch, std::int64_t id, double cell_size_m = 0.05);
 
 /// Mean of the cells; the foot of the origin if there are none.
 Eigen::Vector3d centroid_of(const Patch& patch);

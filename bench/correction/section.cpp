@@ -25,8 +25,8 @@ nlohmann::json judged(const std::vector<Plane>& planes, const Recording& tour) {
 /// A model of the whole tour with believed poses takes over the true ones.
 nlohmann::json our_correction(const Inputs& inputs) {
   Modeler modeler(inputs.config);
-  feed(inputs.tour, modeler);
-  const auto truth = true_trajectory(inputs.tour);
+  feed(inputs.recording, modeler);
+  const auto truth = true_trajectory(inputs.recording);
   std::vector<Plane> planes;
   const double correct_s = seconds_of([&] { modeler.correct(truth); });
   const double planes_s = seconds_of([&] { planes = modeler.merged_planes(); });
@@ -34,7 +34,7 @@ nlohmann::json our_correction(const Inputs& inputs) {
           {"planes_s", planes_s},
           {"seconds", correct_s + planes_s},
           {"ribbons", modeler.statistics().ribbons},
-          {"metrics", judged(planes, inputs.tour)}};
+          {"metrics", judged(planes, inputs.recording)}};
 }
 
 /// The same planes from the raw lines: the gates are those of corrected poses from the start.
@@ -42,20 +42,20 @@ nlohmann::json our_rebuild(const Inputs& inputs) {
   ModelerConfig config = inputs.config;
   config.map.slam = config.map.corrected;
   std::vector<LinePoses> poses;
-  for (const RecordedLine& line : inputs.tour.lines) poses.push_back(with_true_pose(line));
+  for (const RecordedLine& line : inputs.recording.lines) poses.push_back(with_true_pose(line));
   std::vector<Plane> planes;
   const double seconds = seconds_of([&] {
     Modeler modeler(config);
     for (std::size_t i = 0; i < poses.size(); ++i) {
-      modeler.add_scan_line(inputs.tour.lines[i].beams, poses[i]);
+      modeler.add_scan_line(inputs.recording.lines[i].beams, poses[i]);
     }
     planes = modeler.merged_planes();
   });
-  return {{"seconds", seconds}, {"metrics", judged(planes, inputs.tour)}};
+  return {{"seconds", seconds}, {"metrics", judged(planes, inputs.recording)}};
 }
 
 nlohmann::json octomap(const Inputs& inputs, Insertion insertion) {
-  const OctomapResult result = rebuild_octomap(inputs.tour, inputs.config.scan, insertion);
+  const OctomapResult result = rebuild_octomap(inputs.recording, inputs.config.scan, insertion);
   return {
       {"seconds", result.seconds}, {"tree_bytes", result.tree_bytes}, {"leaves", result.leaves}};
 }
@@ -65,12 +65,12 @@ nlohmann::json on_voxels(const Inputs& inputs, const PlanesPeer& peer) {
   TourCloud cloud;
   std::vector<Points> planes;
   const double seconds = seconds_of([&] {
-    cloud = cloud_of(inputs.tour, inputs.config.scan, Poses::true_ones);
+    cloud = cloud_of(inputs.recording, inputs.config.scan, Poses::true_ones);
     planes = peer.planes_of(voxel_grid(cloud.points, 0.04F));
   });
-  const auto patches = patches_of(planes, ViewField(cloud), inputs.config.map.least_area_m2);
   return {{"seconds", seconds},
-          {"metrics", to_json(eval::compare_maps(patches, inputs.tour.truth))}};
+          {"metrics",
+           judged(bounded_planes(planes, ViewField(cloud), inputs.config.map), inputs.recording)}};
 }
 
 /// Median of some runs in processes of their own; nothing if one did not finish.
@@ -125,7 +125,7 @@ class Section {
 
 double floor_s(const Inputs& inputs, Report& report) {
   Modeler modeler(inputs.config);
-  feed(inputs.tour, modeler);
+  feed(inputs.recording, modeler);
   RibbonFloor floor(modeler);
   std::vector<double> seconds;
   for (int i = 0; i < 21; ++i) {
@@ -170,29 +170,28 @@ void measure_corrections(const Inputs& inputs, Report& report) {
     report.set("correction_vs_octomap", octomap_s / ours_s);
   }
   for (const PlanesPeer& peer :
-       {pcl_region_growing(Density::voxels), cgal_region_growing(Density::voxels),
-        cgal_efficient_ransac(Density::voxels)}) {
+       {pcl_region_growing(Density::sparse), cgal_region_growing(Density::sparse),
+        cgal_efficient_ransac(Density::sparse)}) {
     section.add(peer.name + ", 4 cm voxels", [&] { return on_voxels(inputs, peer); });
   }
 }
 
 void measure_memory(const Inputs& inputs, Report& report) {
-  const std::string section = "memory of the model of the tour";
-  const double area_m2 = [&] {
-    double sum = 0.0;
-    for (const eval::Patch& patch : inputs.tour.truth) sum += patch.area_m2;
-    return sum;
-  }();
+  double area_m2 = 0.0;  // none of a bag, of which there is no truth
+  for (const eval::Patch& patch : inputs.recording.truth) area_m2 += patch.area_m2;
   const auto add = [&](const std::string& name, double bytes, const std::string& text) {
-    char details[160];
-    std::snprintf(details, sizeof details, "%.2f MB, %.0f bytes per m2 of true planes%s",
-                  1e-6 * bytes, bytes / area_m2, text.c_str());
-    report.add({section, name, {}, {}, {}, 1e-6 * bytes, details, {{"bytes", bytes}}});
+    char details[160], per_m2[48] = "";
+    if (area_m2 > 0.0) {
+      std::snprintf(per_m2, sizeof per_m2, ", %.0f bytes per m2 of true planes", bytes / area_m2);
+    }
+    std::snprintf(details, sizeof details, "%.2f MB%s%s", 1e-6 * bytes, per_m2, text.c_str());
+    report.add(
+        {"memory of the model", name, {}, {}, {}, 1e-6 * bytes, details, {{"bytes", bytes}}});
   };
   const auto ours = run_in_child(
       [&]() -> nlohmann::json {
         Modeler modeler(inputs.config);
-        feed(inputs.tour, modeler);
+        feed(inputs.recording, modeler);
         return {{"bytes", modeler.memory_bytes()}, {"resident_mb", resident_mb()}};
       },
       inputs.options.limit_s);
@@ -201,7 +200,7 @@ void measure_memory(const Inputs& inputs, Report& report) {
       "; process grew by " + std::to_string(static_cast<int>(ours->peak_mb)) + " MB at most");
   const auto tree =
       run_in_child([&] { return octomap(inputs, Insertion::fast); }, inputs.options.limit_s);
-  const double raw_bytes = 4.0 * static_cast<double>(inputs.tour.beam_count());
+  const double raw_bytes = 4.0 * static_cast<double>(inputs.recording.beam_count());
   if (tree) {
     const double tree_bytes = tree->value["tree_bytes"];
     add("OctoMap 5 cm: OcTree::memoryUsage()", tree_bytes, "");
@@ -209,7 +208,7 @@ void measure_memory(const Inputs& inputs, Report& report) {
   }
   add("raw ranges, 4 bytes a beam", raw_bytes, "");
   report.set("memory_vs_raw", bytes / raw_bytes);
-  report.set("memory_bytes_per_m2", bytes / area_m2);
+  if (area_m2 > 0.0) report.set("memory_bytes_per_m2", bytes / area_m2);
 }
 
 }  // namespace ribbon_mapper::bench

@@ -23,28 +23,37 @@ std::vector<double> medians(const std::vector<std::vector<double>>& runs) {
 
 double LineTimes::total_s() const { return std::accumulate(lines.begin(), lines.end(), 0.0); }
 
+std::vector<double> LineTimes::modelled() const {
+  std::vector<double> times;
+  for (std::size_t i = 0; i < lines.size(); ++i) {
+    if (results[i] == LineResult::modelled) times.push_back(lines[i]);
+  }
+  return times;
+}
+
 LineTimes feed(const Recording& tour, Modeler& modeler) {
   LineTimes times;
   times.lines.reserve(tour.lines.size());
+  times.results.reserve(tour.lines.size());
   for (const RecordedLine& line : tour.lines) {
     LineResult result = LineResult::malformed;
-    const double seconds =
-        seconds_of([&] { result = modeler.add_scan_line(line.beams, line.poses); });
-    times.lines.push_back(seconds);
-    if (result == LineResult::modelled) times.modelled.push_back(seconds);
+    times.lines.push_back(
+        seconds_of([&] { result = modeler.add_scan_line(line.beams, line.poses); }));
+    times.results.push_back(result);
   }
   return times;
 }
 
 LineTimes median_line_times(const Recording& tour, const ModelerConfig& config, int repetitions) {
-  std::vector<std::vector<double>> lines, modelled;
+  LineTimes times;
+  std::vector<std::vector<double>> lines;
   for (int i = 0; i < repetitions; ++i) {
     Modeler modeler(config);
-    LineTimes times = feed(tour, modeler);
+    times = feed(tour, modeler);  // the same results each time
     lines.push_back(std::move(times.lines));
-    modelled.push_back(std::move(times.modelled));
   }
-  return {medians(lines), medians(modelled)};
+  times.lines = medians(lines);
+  return times;
 }
 
 }  // namespace ribbon_mapper::bench

@@ -11,9 +11,10 @@ namespace ribbon_mapper::bench {
 
 /// CPU time of each line of a tour [s].
 struct LineTimes {
-  std::vector<double> lines;     ///< all that were given to the modeler
-  std::vector<double> modelled;  ///< of these, those that entered the model
+  std::vector<double> lines;        ///< all that were given to the modeler
+  std::vector<LineResult> results;  ///< what became of each
   double total_s() const;
+  std::vector<double> modelled() const;  ///< of those that entered the model
 };
 
 /// Feeds a whole tour, with the poses that the robot believed.

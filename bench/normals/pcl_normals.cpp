@@ -4,6 +4,7 @@
 #include <pcl/point_types.h>
 #include <pcl/search/kdtree.h>
 
+#include <cstdio>
 #include <memory>
 
 #include "bench/normals/normals_peer.hpp"
@@ -115,19 +116,22 @@ NormalsPeer without_search(const Samples& samples) {
 
 }  // namespace
 
-std::vector<NormalsPeer> pcl_normals(const std::vector<ThreeLines>& lines) {
+std::vector<NormalsPeer> pcl_normals(const std::vector<ThreeLines>& lines, double neighbourhood_m) {
   // One copy for each: the normals of the last run are read from it.
   const auto copy = [&lines] {
     auto samples = std::make_shared<std::vector<Sample>>();
     for (const ThreeLines& sample : lines) samples->push_back(converted(sample));
     return samples;
   };
-  return {
-      with_search("pcl::NormalEstimation r 0.15 m", copy(), &Sample::queries, 0.15, 0),
-      with_search("pcl::NormalEstimation r 0.30 m", copy(), &Sample::queries, 0.30, 0),
-      with_search("pcl::NormalEstimation k 30", copy(), &Sample::queries, 0.0, 30),
-      with_search("pcl::NormalEstimation r 0.15 m, every beam", copy(), &Sample::middle, 0.15, 0),
-      without_search(copy())};
+  const auto within = [&copy](double radius_m, Cloud::Ptr Sample::*points, const char* which) {
+    char name[64];
+    std::snprintf(name, sizeof name, "pcl::NormalEstimation r %.2f m%s", radius_m, which);
+    return with_search(name, copy(), points, radius_m, 0);
+  };
+  return {within(neighbourhood_m, &Sample::queries, ""),
+          within(2.0 * neighbourhood_m, &Sample::queries, ""),
+          with_search("pcl::NormalEstimation k 30", copy(), &Sample::queries, 0.0, 30),
+          within(neighbourhood_m, &Sample::middle, ", every beam"), without_search(copy())};
 }
 
 }  // namespace ribbon_mapper::bench

@@ -4,8 +4,10 @@
 #include <array>
 #include <cmath>
 #include <cstdio>
+#include <functional>
 #include <limits>
 #include <map>
+#include <optional>
 
 #include "bench/micro.hpp"
 #include "bench/normals/normals_peer.hpp"
@@ -16,6 +18,25 @@ namespace ribbon_mapper::bench {
 namespace {
 
 constexpr double kDegrees = 180.0 / 3.14159265358979323846;
+
+/// Of a place where we have a normal, the normal in map that all are held against.
+using Reference =
+    std::function<std::optional<Eigen::Vector3d>(const ThreeLines& lines, const Surfel& surfel)>;
+
+/// The truth, on flat faces. Without a truth ours: then it is but the angle between both.
+Reference reference_of(const Recording& recording) {
+  if (recording.face_normals.empty()) {
+    return [](const ThreeLines& lines, const Surfel& surfel) -> std::optional<Eigen::Vector3d> {
+      return lines.R_map_odom * surfel.normal;
+    };
+  }
+  return [&recording](const ThreeLines& lines,
+                      const Surfel& surfel) -> std::optional<Eigen::Vector3d> {
+    const int face = lines.middle->faces[surfel.beam];
+    if (face < 0 || recording.face_normals[face].isZero()) return std::nullopt;
+    return recording.face_normals[face];
+  };
+}
 
 /// Angle errors of one peer, by range and by incidence [deg].
 struct AngleErrors {
@@ -30,25 +51,24 @@ std::size_t bin_of(double value, std::initializer_list<double> ends) {
       std::count_if(ends.begin(), ends.end(), [value](double end) { return value > end; }));
 }
 
-/// At the beams where we have a normal, on flat faces.
+/// At the beams where we have a normal and there is a reference.
 AngleErrors errors_of(const NormalsPeer& peer, const std::vector<ThreeLines>& samples,
-                      const Recording& tour) {
+                      const Reference& reference) {
   AngleErrors errors;
   if (!peer.normal_at) return errors;
   for (std::size_t s = 0; s < samples.size(); ++s) {
     const ScanLine& line = samples[s].buffer.middle();
     for (const Surfel& surfel : samples[s].surfels) {
-      const int face = samples[s].middle->faces[surfel.beam];
-      if (face < 0 || tour.face_normals[face].isZero()) continue;
+      const auto truth = reference(samples[s], surfel);
+      if (!truth) continue;
       const Eigen::Vector3d normal = samples[s].R_map_odom * peer.normal_at(s, surfel.beam);
       if (!normal.allFinite()) {
         ++errors.missing;
         continue;
       }
-      const Eigen::Vector3d& truth = tour.face_normals[face];
-      const double error = kDegrees * std::acos(std::min(1.0, std::abs(normal.dot(truth))));
+      const double error = kDegrees * std::acos(std::min(1.0, std::abs(normal.dot(*truth))));
       const Eigen::Vector3d beam = samples[s].R_map_odom * line.directions[surfel.beam];
-      const double incidence = kDegrees * std::acos(std::min(1.0, std::abs(beam.dot(truth))));
+      const double incidence = kDegrees * std::acos(std::min(1.0, std::abs(beam.dot(*truth))));
       errors.all.push_back(error);
       errors.by_range[bin_of(line.ranges_m[surfel.beam], {2.0, 5.0, 10.0})].push_back(error);
       errors.by_incidence[bin_of(incidence, {30.0, 60.0})].push_back(error);
@@ -61,15 +81,23 @@ double median_or_none(const std::vector<double>& values) {
   return values.empty() ? std::numeric_limits<double>::quiet_NaN() : median(values);
 }
 
-std::string text_of(const AngleErrors& errors) {
-  char text[160];
+template <std::size_t size>
+std::string medians_of(const std::array<std::vector<double>, size>& bins) {
+  std::string text;
+  for (const std::vector<double>& bin : bins) {
+    char number[16] = " -";
+    if (!bin.empty()) std::snprintf(number, sizeof number, " %.2f", median(bin));
+    text += number;
+  }
+  return text;
+}
+
+std::string text_of(const AngleErrors& errors, const char* what) {
+  char text[192];
   std::snprintf(text, sizeof text,
-                "median %.2f deg; to 2, 5, 10 m, beyond: %.2f %.2f %.2f %.2f; "
-                "incidence to 30, 60, 90: %.2f %.2f %.2f",
-                median_or_none(errors.all), median_or_none(errors.by_range[0]),
-                median_or_none(errors.by_range[1]), median_or_none(errors.by_range[2]),
-                median_or_none(errors.by_range[3]), median_or_none(errors.by_incidence[0]),
-                median_or_none(errors.by_incidence[1]), median_or_none(errors.by_incidence[2]));
+                "%s %.2f deg; to 2, 5, 10 m, beyond:%s; incidence to 30, 60, 90:%s", what,
+                median(errors.all), medians_of(errors.by_range).c_str(),
+                medians_of(errors.by_incidence).c_str());
   return text;
 }
 
@@ -93,7 +121,7 @@ void append(List& list, const List& more) {
 std::vector<NormalsPeer> all_peers(const std::vector<ThreeLines>& samples,
                                    const ModelerConfig& config) {
   std::vector<NormalsPeer> peers = our_normals(samples, config);
-  append(peers, pcl_normals(samples));
+  append(peers, pcl_normals(samples, config.ribbon.neighbourhood_m));
   append(peers, pcl_integral_image_normals(samples));
   append(peers, cgal_normals(samples));
   return peers;
@@ -101,7 +129,7 @@ std::vector<NormalsPeer> all_peers(const std::vector<ThreeLines>& samples,
 
 const std::string kSection = "normals of the middle line, per normal";
 const std::string kSolve = "Eigen computeDirect, one 3x3 solve";
-const std::string kPcl = "pcl::NormalEstimation r 0.15 m";  // the same neighbourhood as ours
+constexpr std::size_t kOurs = 0, kPcl = 1;  // of all_peers(): PCL with our neighbourhood
 
 using Times = std::map<std::string, double>;  // ns per normal
 
@@ -113,15 +141,16 @@ Times times_of(const std::vector<NormalsPeer>& peers,
   return benchmarks.ns_per_item();
 }
 
-/// A row of a peer, with its errors where it is asked what we are asked.
-Row row_of(const NormalsPeer& peer, const AngleErrors& errors, double ns, double ours_ns) {
+/// A row of a peer, with its errors where it is asked what we are asked; `what` they are.
+Row row_of(const NormalsPeer& peer, const AngleErrors& errors, const char* what, double ns,
+           double ours_ns) {
   Row row;
   row.section = kSection;
   row.name = peer.name;
   row.ns_per_item = ns;
   row.over_ours = ns / ours_ns;
   if (!errors.all.empty()) {
-    row.accuracy = text_of(errors);
+    row.accuracy = text_of(errors, what);
     row.details = json_of(errors);
   }
   return row;
@@ -138,27 +167,33 @@ void add_times(const std::string& name, double ns, Report& report) {
 }  // namespace
 
 void measure_normals(const Inputs& inputs, Report& report) {
-  const Recording& tour = inputs.tour;
+  const Recording& recording = inputs.recording;
+  const Reference reference = reference_of(recording);
+  const bool has_truth = !recording.face_normals.empty();
   // Few for the times, as lines come hot from the cache; many for the errors.
-  const auto few = sample_buffers(tour, inputs.config, 16);
-  const auto many = sample_buffers(tour, inputs.config, inputs.options.quick ? 100 : 400);
+  const auto few = sample_buffers(recording, inputs.config, 16);
+  const auto many = sample_buffers(recording, inputs.config, inputs.options.quick ? 100 : 400);
   const auto timed = all_peers(few, inputs.config), judged = all_peers(many, inputs.config);
   const Times ns = times_of(timed, covariances_of(few));
-  const double ours_ns = ns.at(timed[0].name);
+  const double ours_ns = ns.at(timed[kOurs].name), pcl_ns = ns.at(timed[kPcl].name);
+  std::vector<double> medians_deg;
   for (const NormalsPeer& peer : judged) {
     peer.run();
-    const AngleErrors errors = errors_of(peer, many, tour);
-    report.add(row_of(peer, errors, ns.at(peer.name), ours_ns));
-    if (&peer == &judged[0]) report.set("normals_error_deg", median(errors.all));
-    if (peer.name == kPcl) report.set("normals_pcl_error_deg", median(errors.all));
+    const bool is_reference = !has_truth && &peer == &judged[kOurs];
+    const AngleErrors errors = is_reference ? AngleErrors() : errors_of(peer, many, reference);
+    report.add(
+        row_of(peer, errors, has_truth ? "median" : "median from ours", ns.at(peer.name), ours_ns));
+    medians_deg.push_back(median_or_none(errors.all));
   }
+  if (has_truth) report.set("normals_error_deg", medians_deg[kOurs]);
+  report.set(has_truth ? "normals_pcl_error_deg" : "normals_pcl_from_ours_deg", medians_deg[kPcl]);
   std::size_t points = 0;
   for (const ThreeLines& sample : few) points += sample.beams.size();
-  const double share = static_cast<double>(timed[0].normals) / static_cast<double>(points);
+  const double share = static_cast<double>(timed[kOurs].normals) / static_cast<double>(points);
   add_times(kSolve, ns.at(kSolve), report);
   add_times("ours, per point of the line", ours_ns * share, report);
-  report.set("normals_vs_pcl", ns.at(kPcl) / ours_ns);
-  report.set("normals_vs_pcl_per_point", ns.at(kPcl) / (ours_ns * share));
+  report.set("normals_vs_pcl", pcl_ns / ours_ns);
+  report.set("normals_vs_pcl_per_point", pcl_ns / (ours_ns * share));
   report.set("normals_per_eigen", ours_ns * share / ns.at(kSolve));
   report.set("normals_per_eigen_per_normal", ours_ns / ns.at(kSolve));
 }

@@ -3,6 +3,7 @@
 #include "bench/normals/three_lines.hpp"
 
 #include <Eigen/Eigenvalues>
+#include <algorithm>
 #include <map>
 
 #include "bench/stopwatch.hpp"
@@ -33,7 +34,7 @@ std::vector<ThreeLines> sample_buffers(const Recording& recording, const Modeler
   const double sigma_m = config.scan.range_sigma_m;
   LineBuffer buffer(config.scan.base_line_sigmas * sigma_m);
   std::map<Time, const RecordedLine*> by_stamp;
-  const std::size_t stride = recording.lines.size() / count;
+  const std::size_t stride = std::max<std::size_t>(1, recording.lines.size() / count);
   for (std::size_t i = 0; i < recording.lines.size(); ++i) {
     const RecordedLine& line = recording.lines[i];
     place_beams(line.beams, line.poses, config.scan, buffer.incoming());

@@ -23,7 +23,7 @@ struct ThreeLines {
   const RecordedLine* middle = nullptr;                      ///< the recording's line in the middle
 };
 
-/// `count` buffers, evenly over the tour.
+/// `count` buffers, evenly over the tour; fewer of a short one.
 std::vector<ThreeLines> sample_buffers(const Recording& recording, const ModelerConfig& config,
                                        std::size_t count);
 

@@ -19,7 +19,7 @@ struct Settings {
   double gap_m;  ///< between points of one plane
 };
 Settings settings_of(Density density) {
-  return density == Density::raw ? Settings{100, 1000, 0.2} : Settings{24, 150, 0.2};
+  return density == Density::dense ? Settings{100, 1000, 0.2} : Settings{24, 150, 0.2};
 }
 
 std::vector<Points> detected(const Points& points, const Settings& settings) {

@@ -25,7 +25,7 @@ struct Settings {
   std::size_t least_points;
 };
 Settings settings_of(Density density) {
-  return density == Density::raw ? Settings{100, 0.05, 15.0, 500} : Settings{24, 0.05, 15.0, 150};
+  return density == Density::dense ? Settings{100, 0.05, 15.0, 500} : Settings{24, 0.05, 15.0, 150};
 }
 
 std::vector<Points> grown(const Points& points, const Settings& settings) {

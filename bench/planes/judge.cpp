@@ -6,8 +6,12 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <optional>
 
+#include "bench/stopwatch.hpp"
+#include "eval/model_quality.hpp"
 #include "modeler/geometry/moments.hpp"
+#include "modeler/map/footprint.hpp"
 
 namespace ribbon_mapper::bench {
 namespace {
@@ -47,11 +51,25 @@ Merged merged_of(const Points& points) {
   return plane;
 }
 
+/// Of a point from the nearest plane that it lies on.
+std::optional<double> distance_of(const Eigen::Vector3d& point,
+                                  const std::vector<Footprint>& footprints) {
+  constexpr double kMost_m = 0.10;
+  std::optional<double> nearest_m;
+  for (const Footprint& footprint : footprints) {
+    if (!footprint.holds(point, kMost_m)) continue;
+    const Plane& plane = footprint.plane();
+    const double distance_m = std::abs(plane.normal.dot(point) + plane.d_m);
+    if (!nearest_m || distance_m < *nearest_m) nearest_m = distance_m;
+  }
+  return nearest_m;
+}
+
 }  // namespace
 
-std::vector<eval::Patch> patches_of(const std::vector<Points>& planes, const ViewField& views,
-                                    double least_area_m2) {
-  std::vector<eval::Patch> patches;
+std::vector<Plane> bounded_planes(const std::vector<Points>& planes, const ViewField& views,
+                                  const PlaneMapConfig& config) {
+  std::vector<Plane> bounded;
   for (const Points& points : planes) {
     if (points.size() < 3) continue;
     const PlaneFit fit = fit_plane(moments_of(points));
@@ -63,11 +81,11 @@ std::vector<eval::Patch> patches_of(const std::vector<Points>& planes, const Vie
     if (side < 0.0) patch.normal *= -1.0;
     patch.d_m = -patch.normal.dot(fit.mean);
     for (const Eigen::Vector3f& point : points) patch.cells.push_back(point.cast<double>());
-    Plane cells = eval::plane_of(patch, 0);
-    cells.area_m2 = cells.cells.size() * cells.cell_size_m * cells.cell_size_m;
-    if (cells.area_m2 >= least_area_m2) patches.push_back(eval::patch_of(cells));
+    Plane plane = eval::plane_of(patch, 0, config.cell_size_m);
+    plane.area_m2 = plane.cells.size() * plane.cell_size_m * plane.cell_size_m;
+    if (plane.area_m2 >= config.least_area_m2) bounded.push_back(std::move(plane));
   }
-  return patches;
+  return bounded;
 }
 
 std::vector<Points> united(const std::vector<Points>& planes) {
@@ -104,12 +122,44 @@ nlohmann::json to_json(const eval::MapMetrics& metrics) {
           {"offset_error_mm", 1e3 * metrics.offset_error_m_mean.value_or(0.0)}};
 }
 
+nlohmann::json judged_by_points(const std::vector<Plane>& planes, const Points& points,
+                                const PlaneMapConfig& config) {
+  std::vector<Footprint> footprints;
+  double area_m2 = 0.0;
+  for (const Plane& plane : planes) {
+    footprints.emplace_back(plane, config.cell_size_m);
+    area_m2 += plane.area_m2;
+  }
+  const std::size_t stride = 1 + points.size() / 200'000;  // that many tell enough
+  std::vector<double> distances_m;
+  for (std::size_t i = 0; i < points.size(); i += stride) {
+    if (const auto distance_m = distance_of(points[i].cast<double>(), footprints)) {
+      distances_m.push_back(*distance_m);
+    }
+  }
+  eval::DuplicateRule rule;
+  rule.touching_m = config.stripe_gap_m;
+  return {{"planes", planes.size()},
+          {"area_m2", area_m2},
+          {"duplicates", eval::duplicates_of_larger(planes, rule).size()},
+          {"points_share",
+           static_cast<double>(distances_m.size() * stride) / static_cast<double>(points.size())},
+          {"points_mm", distances_m.empty() ? 0.0 : 1e3 * median(distances_m)}};
+}
+
 std::string text_of(const nlohmann::json& m) {
   char text[128];
-  std::snprintf(text, sizeof text, "F1 %.3f, missed %d, extra %d, doubled %d, %.2f deg, %.1f mm",
-                m["f1"].get<double>(), m["missed"].get<int>(), m["extra"].get<int>(),
-                m["duplicates"].get<int>(), m["angle_error_deg"].get<double>(),
-                m["offset_error_mm"].get<double>());
+  if (m.contains("f1")) {
+    std::snprintf(text, sizeof text, "F1 %.3f, missed %d, extra %d, doubled %d, %.2f deg, %.1f mm",
+                  m["f1"].get<double>(), m["missed"].get<int>(), m["extra"].get<int>(),
+                  m["duplicates"].get<int>(), m["angle_error_deg"].get<double>(),
+                  m["offset_error_mm"].get<double>());
+  } else {
+    std::snprintf(text, sizeof text,
+                  "%d planes, %.1f m2, doubled %d; %.0f %% of the points on them, %.1f mm off",
+                  m["planes"].get<int>(), m["area_m2"].get<double>(), m["duplicates"].get<int>(),
+                  100.0 * m["points_share"].get<double>(), m["points_mm"].get<double>());
+  }
   return text;
 }
 

@@ -30,13 +30,14 @@ Points from_pcl(const Cloud& cloud) {
   return points;
 }
 
-/// Raw clouds are so dense that 30 neighbours lie within the noise: there it takes more.
+/// Raw clouds of a tilting laser are so dense that 30 neighbours lie within the noise: there it
+/// takes more.
 struct Settings {
   int neighbours;
   int least_points;
 };
 Settings settings_of(Density density) {
-  return density == Density::raw ? Settings{100, 500} : Settings{30, 150};
+  return density == Density::dense ? Settings{100, 500} : Settings{30, 150};
 }
 
 std::vector<Points> grown(const Points& points, const Settings& settings) {

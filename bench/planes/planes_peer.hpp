@@ -24,7 +24,7 @@ struct PlanesPeer {
 Points voxel_grid(const Points& points, float voxel_m);
 
 /// How dense the points are, so that each peer can be given what suits it best.
-enum class Density { raw, voxels };
+enum class Density { dense, sparse };
 
 PlanesPeer pcl_region_growing(Density density);
 PlanesPeer cgal_region_growing(Density density);

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <algorithm>
 #include <limits>
+#include <utility>
 
 #include "bench/child.hpp"
 #include "bench/planes/judge.hpp"
@@ -15,17 +16,17 @@ namespace {
 
 constexpr float kVoxel_m = 0.04F;
 constexpr std::size_t kLinesPerSweep = 60;  // half a period of the tilt
+constexpr std::size_t kDenseVoxel = 5;      // points in it, from which on normals need more than 30
 
-/// Times and judges all ways to the planes of the tour, for poses of one kind.
+/// Times and judges all ways to the planes of a recording, for poses of one kind.
 class Contest {
  public:
-  Contest(const Inputs& inputs, Report& report, Poses poses)
+  Contest(const Inputs& inputs, Report& report, Poses poses, std::string section)
       : inputs_(inputs),
         report_(report),
         poses_(poses),
-        section_(poses == Poses::true_ones ? "planes of the tour, true poses"
-                                           : "planes of the tour, believed poses"),
-        cloud_(cloud_of(inputs.tour, inputs.config.scan, poses)),
+        section_(std::move(section)),
+        cloud_(cloud_of(inputs.recording, inputs.config.scan, poses)),
         views_(cloud_) {}
 
   /// Line by line with the believed poses; for the true ones the correction comes on top.
@@ -33,7 +34,9 @@ class Contest {
     std::vector<double> seconds;
     nlohmann::json metrics;
     double peak_mb = 0.0;
-    for (int i = 0; i < std::min(3, inputs_.options.repetitions); ++i) {
+    const int runs =
+        std::min(3, inputs_.options.repetitions) * repetitions_factor(inputs_.recording);
+    for (int i = 0; i < runs; ++i) {
       const auto result = run_in_child([this] { return our_run(); }, inputs_.options.limit_s);
       if (!result) return;
       seconds.push_back(result->value["seconds"]);
@@ -41,7 +44,7 @@ class Contest {
       peak_mb = result->peak_mb;
     }
     ours_s_ = median(seconds);
-    f1 = metrics["f1"];
+    f1 = metrics.value("f1", 0.0);
     report_.add(
         {section_,
          poses_ == Poses::true_ones ? "ours: lines, correction, planes" : "ours: lines, planes",
@@ -58,7 +61,7 @@ class Contest {
       const double peak_mb = peak_resident_mb() - before_mb;
       if (is_to_be_united) planes = united(planes);
       return {{"seconds", seconds},
-              {"metrics", judged(patches_of(planes, views_, least_m2()))},
+              {"metrics", judged(bounded_planes(planes, views_, inputs_.config.map))},
               {"peak_mb", peak_mb}};
     };
     const auto result = run_in_child(work, inputs_.options.limit_s);
@@ -77,24 +80,26 @@ class Contest {
     const nlohmann::json& metrics = result->value["metrics"];
     report_.add({section_, name, seconds, item_ns(seconds), seconds / ours_s_,
                  result->value["peak_mb"].get<double>(), text_of(metrics), metrics});
-    best_peer_f1 = std::max(best_peer_f1, metrics["f1"].get<double>());
+    best_peer_f1 = std::max(best_peer_f1, metrics.value("f1", 0.0));
     return seconds;
   }
 
   /// Returns the seconds of the fastest.
-  double raw_peers() {
+  double raw_peers(Density density) {
     const auto on_raw = [this](const PlanesPeer& p) {
       return peer(p.name + ", raw", [&] { return p.planes_of(cloud_.points); });
     };
-    const auto sweeps = sweeps_of(inputs_.tour, inputs_.config.scan, poses_, kLinesPerSweep);
-    // No planes of the tour: PCL does not unite those of the sweeps. So it is no rival of the
-    // others.
-    per_sweep_s = peer(
+    return std::min({on_raw(pcl_region_growing(density)), on_raw(cgal_region_growing(density)),
+                     on_raw(cgal_efficient_ransac(density))});
+  }
+
+  /// No planes of the tour: PCL does not unite those of the sweeps. So it is no rival of the
+  /// others.
+  double sweeps_peer() {
+    const auto sweeps = sweeps_of(inputs_.recording, inputs_.config.scan, poses_, kLinesPerSweep);
+    return peer(
         "PCL organised multi-plane, per sweep; united by us",
         [&] { return pcl_organised_planes(sweeps); }, true);
-    return std::min({on_raw(pcl_region_growing(Density::raw)),
-                     on_raw(cgal_region_growing(Density::raw)),
-                     on_raw(cgal_efficient_ransac(Density::raw))});
   }
 
   double voxel_peers() {
@@ -102,35 +107,46 @@ class Contest {
       return peer(p.name + ", 4 cm voxels",
                   [&] { return p.planes_of(voxel_grid(cloud_.points, kVoxel_m)); });
     };
-    return std::min({on_voxels(pcl_region_growing(Density::voxels)),
-                     on_voxels(cgal_region_growing(Density::voxels)),
-                     on_voxels(cgal_efficient_ransac(Density::voxels))});
+    return std::min({on_voxels(pcl_region_growing(Density::sparse)),
+                     on_voxels(cgal_region_growing(Density::sparse)),
+                     on_voxels(cgal_efficient_ransac(Density::sparse))});
   }
 
-  double ours_s() const { return ours_s_; }
-  double f1 = 0.0, best_peer_f1 = 0.0, per_sweep_s = 0.0;
+  /// What suits the peers best on the raw cloud of a recording that no parameters were chosen for.
+  Density raw_density() const {
+    const std::size_t voxels = voxel_grid(cloud_.points, kVoxel_m).size();
+    return cloud_.points.size() > kDenseVoxel * voxels ? Density::dense : Density::sparse;
+  }
+
+  /// Time of a peer over ours; one that was stopped counts with the time that it was given.
+  double over_ours(double seconds) const {
+    return std::min(seconds, inputs_.options.limit_s) / ours_s_;
+  }
+  double f1 = 0.0, best_peer_f1 = 0.0;  ///< if there is a truth
 
  private:
-  double least_m2() const { return inputs_.config.map.least_area_m2; }
   double item_ns(double seconds) const {
     return 1e9 * seconds / static_cast<double>(cloud_.points.size());
   }
-  nlohmann::json judged(const std::vector<eval::Patch>& patches) const {
-    return to_json(eval::compare_maps(patches, inputs_.tour.truth));
+  nlohmann::json judged(const std::vector<Plane>& planes) const {
+    if (inputs_.recording.truth.empty()) {
+      return judged_by_points(planes, cloud_.points, inputs_.config.map);
+    }
+    return to_json(eval::compare_maps(eval::patches_of(planes), inputs_.recording.truth));
   }
 
   nlohmann::json our_run() const {
     Modeler modeler(inputs_.config);
     std::vector<Plane> planes;
-    const auto truth = true_trajectory(inputs_.tour);
+    const auto truth = true_trajectory(inputs_.recording);
     const double seconds = seconds_of([&] {
-      for (const RecordedLine& line : inputs_.tour.lines) {
+      for (const RecordedLine& line : inputs_.recording.lines) {
         modeler.add_scan_line(line.beams, line.poses);
       }
       if (poses_ == Poses::true_ones) modeler.correct(truth);
       planes = modeler.merged_planes();
     });
-    return {{"seconds", seconds}, {"metrics", judged(eval::patches_of(planes))}};
+    return {{"seconds", seconds}, {"metrics", judged(planes)}};
   }
 
   const Inputs& inputs_;
@@ -146,22 +162,29 @@ class Contest {
 
 void measure_planes(const Inputs& inputs, Report& report) {
   for (const Poses poses : {Poses::true_ones, Poses::believed}) {
-    Contest contest(inputs, report, poses);
+    const bool is_true = poses == Poses::true_ones;
+    Contest contest(
+        inputs, report, poses,
+        is_true ? "planes of the tour, true poses" : "planes of the tour, believed poses");
     contest.ours();
-    const double voxels_s = contest.voxel_peers(), raw_s = contest.raw_peers();
-    if (poses != Poses::true_ones) {
-      report.set("f1_believed", contest.f1);
-      report.set("best_peer_f1_believed", contest.best_peer_f1);
-      continue;
-    }
-    // A peer that was stopped counts with the time that it was given.
-    const double limit_s = inputs.options.limit_s;
-    report.set("planes_vs_best_raw_peer", std::min(raw_s, limit_s) / contest.ours_s());
-    report.set("planes_vs_best_voxel_peer", std::min(voxels_s, limit_s) / contest.ours_s());
-    report.set("planes_vs_organised_sweeps", contest.per_sweep_s / contest.ours_s());
-    report.set("f1", contest.f1);
-    report.set("best_peer_f1", contest.best_peer_f1);
+    const double voxels_s = contest.voxel_peers(), sweeps_s = contest.sweeps_peer(),
+                 raw_s = contest.raw_peers(Density::dense);
+    const std::string kind = is_true ? "" : "_believed";
+    report.set("f1" + kind, contest.f1);
+    report.set("best_peer_f1" + kind, contest.best_peer_f1);
+    if (!is_true) continue;
+    report.set("planes_vs_best_raw_peer", contest.over_ours(raw_s));
+    report.set("planes_vs_best_voxel_peer", contest.over_ours(voxels_s));
+    report.set("planes_vs_organised_sweeps", contest.over_ours(sweeps_s));
   }
+}
+
+void measure_recorded_planes(const Inputs& inputs, Report& report) {
+  Contest contest(inputs, report, Poses::true_ones, "planes, poses as recorded");
+  contest.ours();
+  report.set("planes_vs_best_voxel_peer", contest.over_ours(contest.voxel_peers()));
+  report.set("planes_vs_best_raw_peer",
+             contest.over_ours(contest.raw_peers(contest.raw_density())));
 }
 
 }  // namespace ribbon_mapper::bench

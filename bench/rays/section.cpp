@@ -75,8 +75,8 @@ RayCasting ours_by_line(const sim::World& world) {
   return [&world](const std::vector<Ray>& rays, double max_range_m, std::vector<float>& ranges) {
     const auto hits = world.cast_line(rays, max_range_m);
     for (std::size_t i = 0; i < rays.size(); ++i) {
-      ranges[i] = hits[i] ? static_cast<float>(hits[i]->range_m)
-                          : std::numeric_limits<float>::infinity();
+      ranges[i] =
+          hits[i] ? static_cast<float>(hits[i]->range_m) : std::numeric_limits<float>::infinity();
     }
   };
 }

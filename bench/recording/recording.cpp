@@ -3,7 +3,8 @@
 #include "bench/recording/recording.hpp"
 
 #include <algorithm>
-#include <cmath>
+
+#include "modeler/scan/scan_line.hpp"
 
 namespace ribbon_mapper::bench {
 
@@ -13,14 +14,20 @@ std::size_t Recording::beam_count() const {
   return count;
 }
 
-std::size_t Recording::return_count() const {
-  std::size_t count = 0;
-  for (const RecordedLine& line : lines) {
-    count += static_cast<std::size_t>(
-        std::count_if(line.beams.ranges_m.begin(), line.beams.ranges_m.end(),
-                      [](float range_m) { return std::isfinite(range_m); }));
+std::vector<std::size_t> returns_of(const Recording& recording, const ScanConfig& config) {
+  std::vector<std::size_t> counts;
+  ScanLine placed;
+  for (const RecordedLine& line : recording.lines) {
+    place_beams(line.beams, line.poses, config, placed);
+    const auto& ranges_m = placed.ranges_m;
+    counts.push_back(ranges_m.size() -
+                     static_cast<std::size_t>(std::count(ranges_m.begin(), ranges_m.end(), 0.0F)));
   }
-  return count;
+  return counts;
+}
+
+int repetitions_factor(const Recording& recording) {
+  return 1 + static_cast<int>(5000 / recording.lines.size());
 }
 
 std::vector<StampedPose> true_trajectory(const Recording& recording) {

@@ -10,6 +10,7 @@
 #include "eval/patch.hpp"
 #include "modeler/geometry/pose.hpp"
 #include "modeler/scan/laser_beams.hpp"
+#include "modeler/scan/scan_config.hpp"
 
 namespace ribbon_mapper::bench {
 
@@ -23,7 +24,8 @@ struct RecordedLine {
 };
 
 /// A tour in memory: where it comes from, a simulator or a bag, is no matter to the benchmarks.
-/// Without a truth (a bag) `faces`, `face_normals` and `truth` are empty.
+/// Without a truth (a bag) `faces`, `face_normals` and `truth` are empty, and the poses as recorded
+/// stand for the true ones.
 struct Recording {
   std::string name;
   double duration_s = 0.0;
@@ -31,9 +33,14 @@ struct Recording {
   std::vector<Eigen::Vector3d> face_normals;  ///< in map; zero: not planar
   std::vector<eval::Patch> truth;
 
-  std::size_t beam_count() const;    ///< of all lines
-  std::size_t return_count() const;  ///< beams with a finite range
+  std::size_t beam_count() const;  ///< of all lines
 };
+
+/// Of each line, the number of beams that a preset takes for returns.
+std::vector<std::size_t> returns_of(const Recording& recording, const ScanConfig& config);
+
+/// How many times more often work on a short recording is repeated: medians of few lines waver.
+int repetitions_factor(const Recording& recording);
 
 /// The poses of all lines as they really were.
 std::vector<StampedPose> true_trajectory(const Recording& recording);

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "bench/scale/tiles.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 #include "bench/stopwatch.hpp"
@@ -9,7 +10,10 @@
 namespace ribbon_mapper::bench {
 
 Tiles::Tiles(const Recording& piece, double spacing_m, std::size_t side)
-    : piece_(piece), spacing_m_(spacing_m), side_(side) {}
+    : piece_(piece), spacing_m_(spacing_m), side_(side) {
+  for (const RecordedLine& line : piece.lines) centre_ += line.T_map_base_true.translation();
+  centre_ /= static_cast<double>(piece.lines.size());
+}
 
 Pose Tiles::T_map_tile(std::size_t k) const {
   Pose T = Pose::Identity();
@@ -44,6 +48,30 @@ std::vector<StampedPose> Tiles::truth(std::size_t count) const {
     }
   }
   return trajectory;
+}
+
+std::size_t Tiles::tile_at(const Eigen::Vector3d& place) const {
+  const auto step = [&](int axis) {
+    const double steps = std::round((place[axis] - centre_[axis]) / spacing_m_);
+    return static_cast<std::size_t>(std::max(0.0, steps));
+  };
+  return step(1) * side_ + std::min(step(0), side_ - 1);
+}
+
+std::vector<eval::MapMetrics> Tiles::judged(const std::vector<Plane>& planes,
+                                            std::size_t count) const {
+  std::vector<std::vector<eval::Patch>> by_tile(count);
+  for (const Plane& plane : planes) {
+    const std::size_t k = tile_at(plane.centroid);
+    if (k >= count) continue;
+    const Eigen::Vector3d shift = T_map_tile(k).translation();
+    eval::Patch& patch = by_tile[k].emplace_back(eval::patch_of(plane));
+    patch.d_m += patch.normal.dot(shift);
+    for (Eigen::Vector3d& cell : patch.cells) cell -= shift;
+  }
+  std::vector<eval::MapMetrics> results;
+  for (const auto& patches : by_tile) results.push_back(compare_maps(patches, piece_.truth));
+  return results;
 }
 
 std::vector<StampedPose> bent(std::vector<StampedPose> trajectory, double share) {

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "bench/recording/recording.hpp"
+#include "eval/map_metrics.hpp"
 #include "modeler/modeler.hpp"
 
 namespace ribbon_mapper::bench {
@@ -20,13 +21,20 @@ class Tiles {
   /// Where the lines of the first `count` tiles really were.
   std::vector<StampedPose> truth(std::size_t count) const;
 
+  /// Planes in map by the tile that they lie in, held against the truth of the recording: one
+  /// result for each of the first `count` tiles. Planes of no tile are left out.
+  std::vector<eval::MapMetrics> judged(const std::vector<Plane>& planes, std::size_t count) const;
+
  private:
   Pose T_map_tile(std::size_t k) const;
+  /// The one whose trajectory has the nearest mean.
+  std::size_t tile_at(const Eigen::Vector3d& place) const;
   Time start_of(std::size_t k) const;
 
   const Recording& piece_;
   double spacing_m_;
   std::size_t side_;
+  Eigen::Vector3d centre_ = Eigen::Vector3d::Zero();  ///< mean of the first tile's trajectory
 };
 
 /// The last `share` of a trajectory bent away, up to a few centimetres and half a degree: each of

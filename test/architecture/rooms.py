@@ -31,7 +31,8 @@ ROOMS = {
                      "modeler/io/atomic_file.hpp", "modeler/io/tum.hpp"], ANY),
     "eval": Room(_MODELER + ["modeler/io", "sim"], ["Eigen", "CLI", "nlohmann", "sys"]),
     "eval/ros": Room(_MODELER + ["modeler/io", "modeler/ros", "modeler/bag", "sim", "eval"], ANY),
-    "bench/": Room(_MODELER + ["modeler/io", "sim", "eval", "bench/"], ANY),
+    "bench/": Room(_MODELER + ["modeler/io", "modeler/ros", "modeler/bag", "sim", "eval", "bench/"],
+                   ANY),
 }
 
 MOST_LINES_OF_A_FILE = 300
