@@ -15,6 +15,8 @@ namespace {
 // it by more than this share of them.
 constexpr double most_unfitted_share = 0.02;
 
+constexpr std::int64_t no_id = -1;
+
 }  // namespace
 
 PlaneMap::PlaneMap(const PlaneMapConfig& config, const AssociationGates& gates,
@@ -175,20 +177,20 @@ bool PlaneMap::absorb_neighbours(std::uint32_t slot) {
   return changed;
 }
 
-void PlaneMap::take_ids_from(const PlaneMap& before,
-                             const std::vector<std::uint32_t>& index_before) {
-  constexpr std::int64_t none = -1;
-  std::vector<std::int64_t> ids_before;  // of each ribbon
-  for (const Hypothesis& plane : before.hypotheses_) {
+std::vector<std::int64_t> PlaneMap::ids_of_ribbons() const {
+  std::vector<std::int64_t> ids;
+  for (const Hypothesis& plane : hypotheses_) {
     for (const Member& member : plane.members()) {
-      if (member.ribbon >= ids_before.size()) ids_before.resize(member.ribbon + 1, none);
-      ids_before[member.ribbon] = plane.id;
+      if (member.ribbon >= ids.size()) ids.resize(member.ribbon + 1, no_id);
+      ids[member.ribbon] = plane.id;
     }
   }
-  const auto id_before = [&](std::uint32_t ribbon) {
-    if (!index_before.empty()) ribbon = index_before[ribbon];
-    return ribbon < ids_before.size() ? ids_before[ribbon] : none;
-  };
+  return ids;
+}
+
+void PlaneMap::take_ids_from(const PlaneMap& before,
+                             const std::vector<std::uint32_t>& index_before) {
+  const std::vector<std::int64_t> ids_before = before.ids_of_ribbons();
   struct Share {
     std::size_t ribbons;
     std::int64_t id;
@@ -199,12 +201,14 @@ void PlaneMap::take_ids_from(const PlaneMap& before,
   for (std::uint32_t slot = 0; slot < hypotheses_.size(); ++slot) {
     ids.clear();
     for (const Member& member : hypotheses_[slot].members()) {
-      const std::int64_t id = id_before(member.ribbon);
-      if (id != none) ids.push_back(id);
+      const std::size_t ribbon = index_before.empty() ? member.ribbon : index_before[member.ribbon];
+      if (ribbon < ids_before.size() && ids_before[ribbon] != no_id) {
+        ids.push_back(ids_before[ribbon]);
+      }
     }
     std::sort(ids.begin(), ids.end());
     for (auto id = ids.begin(), next = id; id != ids.end(); id = next) {
-      next = std::find_if(id, ids.end(), [&](std::int64_t other) { return other != *id; });
+      next = std::upper_bound(id, ids.end(), *id);
       shares.push_back({static_cast<std::size_t>(next - id), *id, slot});
     }
   }

@@ -36,6 +36,8 @@ class PlaneMap {
   std::size_t memory_bytes() const;
 
  private:
+  std::vector<std::int64_t> ids_of_ribbons() const;
+
   /// Tells at once that most ribbons near a hypothesis are none of it, a quarter of a cache line.
   struct Side {
     Eigen::Vector3f normal;

@@ -8,6 +8,7 @@
 #include <cmath>
 #include <numeric>
 #include <queue>
+#include <tuple>
 
 #include "modeler/map/cube_sides.hpp"
 #include "modeler/map/voxel_key.hpp"
@@ -70,15 +71,16 @@ std::vector<std::uint32_t> thinned(const Evidence& evidence, std::size_t count) 
   std::iota(kept.begin(), kept.end(), 0u);
   if (all <= count) return kept;
   Density density(evidence);
-  std::priority_queue<std::pair<std::uint32_t, std::uint32_t>> densest;  // density, ribbon
-  for (std::uint32_t i = 0; i < all; ++i) densest.emplace(density.least(i), i);
+  // Density, lot, ribbon: of those that are equally dense, none is the first by its place or time.
+  std::priority_queue<std::tuple<std::uint32_t, std::size_t, std::uint32_t>> densest;
+  for (std::uint32_t i = 0; i < all; ++i) densest.emplace(density.least(i), KeyHash()(i), i);
   std::vector<bool> is_left_out(all, false);
   for (std::size_t left_out = 0; left_out < all - count;) {
-    const auto [density_then, ribbon] = densest.top();
+    const auto [density_then, lot, ribbon] = densest.top();
     densest.pop();
     const std::uint32_t now = density.least(ribbon);
     if (now < density_then) {  // others have gone since
-      densest.emplace(now, ribbon);
+      densest.emplace(now, lot, ribbon);
       continue;
     }
     density.leave_out(ribbon);
