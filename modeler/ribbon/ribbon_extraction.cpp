@@ -10,6 +10,8 @@ namespace {
 
 constexpr double degree = M_PI / 180.0;
 
+double square(double x) { return x * x; }
+
 Moments three_lines(const LineBuffer& buffer, std::size_t begin, std::size_t end) {
   return buffer.previous().moments(begin, end) + buffer.middle().moments(begin, end) +
          buffer.next().moments(begin, end);
@@ -84,13 +86,22 @@ void RibbonExtraction::find_runs(const ScanLine& line) {
   });
 }
 
+/// Within so many sigma of what errors of the range and of the direction do across the plane. At a
+/// slant next to nothing is left of the range's, and the foot of the wall behind is told from noise.
+bool RibbonExtraction::lies_on(const PlaneFit& plane, const ScanLine& line,
+                               std::size_t beam) const {
+  const double distance = plane.normal().dot(line.points[beam] - plane.mean);
+  const double square_sine = square(plane.normal().dot(line.directions[beam]));
+  const double direction_sigma_m = scan_.direction_sigma_deg * degree * line.ranges_m[beam];
+  const double variance = square_sine * square(scan_.range_sigma_m) +
+                          (1.0 - square_sine) * square(direction_sigma_m);
+  return square(distance) <= square(config_.outlier_sigmas) * variance;
+}
+
 /// Takes in the points next to a run while they lie on its plane.
 RibbonExtraction::Run RibbonExtraction::grow(const ScanLine& line, Run run,
                                              const PlaneFit& plane) const {
-  const double limit = config_.outlier_sigmas * scan_.range_sigma_m;
-  const auto fits = [&](std::size_t beam) {
-    return !taken_[beam] && std::abs(plane.normal().dot(line.points[beam] - plane.mean)) <= limit;
-  };
+  const auto fits = [&](std::size_t beam) { return !taken_[beam] && lies_on(plane, line, beam); };
   const std::size_t first = line.first_of_segment[run.begin];
   const std::size_t end = line.end_of_segment[run.begin];
   while (run.begin > first && fits(run.begin - 1)) --run.begin;

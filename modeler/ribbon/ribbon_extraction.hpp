@@ -40,6 +40,7 @@ class RibbonExtraction {
 
   void find_runs(const ScanLine& line);
   void make_ribbon(const LineBuffer& buffer, const Run& run, PointStore& store);
+  bool lies_on(const PlaneFit& plane, const ScanLine& line, std::size_t beam) const;
   Run grow(const ScanLine& line, Run run, const PlaneFit& plane) const;
   RibbonSamples samples_of(const ScanLine& line, const Run& run, const Eigen::Vector3d& centroid,
                            const Eigen::Vector3d& normal, const Eigen::Vector3d& along,

@@ -10,6 +10,10 @@ struct ScanConfig {
   /// measured by Pomerleau et al. 2012; the larger one is the safe choice.
   double range_sigma_m = 0.018;
 
+  /// Standard deviation of a beam's direction [deg]: the UTM-30LX's steps of a quarter of a degree,
+  /// evenly distributed.
+  double direction_sigma_deg = 0.07;
+
   /// Ranges outside of [least, most] are no returns, whatever the driver allows [m].
   double least_range_m = 0.3;
   double most_range_m = 30.0;
