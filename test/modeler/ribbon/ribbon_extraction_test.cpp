@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "modeler/map/posed_ribbon.hpp"
 #include "test/modeler/ribbon/three_lines.hpp"
 
 namespace ribbon_mapper {
@@ -98,6 +99,43 @@ TEST(RibbonExtraction, RibbonsAndStrayPointsAreAllReturnsOnce) {
   }
   for (const PackedPoint& point : extraction.strays(buffer, store)) points += point.count;
   EXPECT_EQ(buffer.middle().moments(0, 361).weight(), points);
+}
+
+/// A table in the corner of two walls, looked at from above and far away.
+World table_in_a_corner() {
+  return {plane(-Eigen::Vector3d::UnitX(), 4.8), plane(-Eigen::Vector3d::UnitY(), 0.8),
+          plane(Eigen::Vector3d::UnitZ(), -0.75, {3.4, -0.6, 0}, {4.8, 0.8, 2}),
+          plane(Eigen::Vector3d::UnitZ(), 0.0)};
+}
+
+/// How far samples of ribbons on the table lie above it [m]: on average the highest of a ribbon.
+double highest_over_the_table_m(const ScanConfig& scan) {
+  double sum_m = 0.0;
+  int ribbons = 0;
+  PointStore store;
+  for (unsigned i = 0; i < 12; ++i) {
+    const LineBuffer buffer = three_lines(table_in_a_corner(), tilting(0.3, 0.1 + 0.002 * i), 0.0,
+                                          {721, 0.01, 3 + i}, scan);
+    for (const Ribbon& source : RibbonExtraction(scan, {}).extract(buffer, store)) {
+      const PosedRibbon ribbon(source, Pose::Identity());
+      if (ribbon.normal.z() < 0.97 || std::abs(ribbon.centroid.z() - 0.75) > 0.05) continue;
+      double highest_m = 0.0;
+      source.samples.for_each([&](float along_m, float height_m, std::uint32_t) {
+        highest_m = std::max(highest_m, ribbon.point(along_m, height_m).z() - 0.75);
+      });
+      sum_m += highest_m;
+      ++ribbons;
+    }
+  }
+  EXPECT_GT(ribbons, 8);
+  return sum_m / ribbons;
+}
+
+TEST(RibbonExtraction, AtASlantTheFootOfTheWallBehindIsNoNoise) {
+  ScanConfig scan, as_if_seen_from_above;
+  as_if_seen_from_above.direction_sigma_deg = 0.25;  // then both errors are alike
+  EXPECT_LT(highest_over_the_table_m(scan), 0.02);
+  EXPECT_GT(highest_over_the_table_m(as_if_seen_from_above), 0.03);
 }
 
 TEST(RibbonExtraction, FarRibbonsHaveTheirAreaCapped) {
