@@ -25,17 +25,13 @@ double excuse(double variance) { return std::min(max_excuse_rad, 2.0 * std::sqrt
 }  // namespace
 
 void Hypothesis::add(const PosedRibbon& ribbon, const Member& member) {
-  collect(ribbon, member);
-  refit();
-}
-
-void Hypothesis::collect(const PosedRibbon& ribbon, const Member& member) {
   const double weight = ribbon.ribbon->area_m2 * member.probability;
   moments_ += (weight / ribbon.moments.weight()) * ribbon.moments;
   side_ += weight * ribbon.normal;
   points_ += ribbon.moments.weight();
   if (members_.empty()) members_.reserve(4);
   members_.push_back(member);
+  refit();
 }
 
 void Hypothesis::absorb(const Hypothesis& other) {
@@ -48,7 +44,6 @@ void Hypothesis::absorb(const Hypothesis& other) {
 
 void Hypothesis::refit() {
   fit_ = fit_plane(moments_);
-  fitted_m2_ = area_m2();
   normal_ = fit_.normal().dot(side_) < 0.0 ? Eigen::Vector3d(-fit_.normal()) : fit_.normal();
   d_m_ = -normal_.dot(fit_.mean);
 }

@@ -34,12 +34,6 @@ class Hypothesis {
 
   void add(const PosedRibbon& ribbon, const Member& member);
   void absorb(const Hypothesis& other);
-  /// Like add(), but the plane stays as it was fitted last: for one ribbon among hundreds.
-  void collect(const PosedRibbon& ribbon, const Member& member);
-  /// Fits the plane to all that was collected.
-  void refit();
-  /// Area that was collected since the last fit, as a share of all.
-  double unfitted_share() const { return fitted_m2_ > 0.0 ? 1.0 - fitted_m2_ / area_m2() : 1.0; }
 
   const Eigen::Vector3d& normal() const { return normal_; }  ///< towards the seen side
   double d_m() const { return d_m_; }
@@ -56,12 +50,13 @@ class Hypothesis {
   std::int64_t id;  ///< in the order of creation; of two that merge, the older one's
 
  private:
+  void refit();
+
   Moments moments_;  // weighted by area times probability
   Eigen::Vector3d side_ = Eigen::Vector3d::Zero();
   double points_ = 0.0;
   std::vector<Member> members_;
   PlaneFit fit_;
-  double fitted_m2_ = 0.0;
   Eigen::Vector3d normal_ = Eigen::Vector3d::UnitZ();
   double d_m_ = 0.0;
 };

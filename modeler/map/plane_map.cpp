@@ -11,10 +11,6 @@
 namespace ribbon_mapper {
 namespace {
 
-// A plane is fitted again when so much of its area is new: within the gates, that cannot have moved
-// it by more than this share of them.
-constexpr double most_unfitted_share = 0.02;
-
 constexpr std::int64_t no_id = -1;
 
 }  // namespace
@@ -52,12 +48,8 @@ void PlaneMap::add(const PosedRibbon& ribbon, std::uint32_t index) {
   }
   if (!least) slot = new_slot();
   const auto probability = static_cast<float>(membership(least.value_or(0.0)));
-  Hypothesis& joined = hypotheses_[slot];
-  joined.collect(ribbon, {index, probability});
-  if (joined.unfitted_share() > most_unfitted_share) {
-    joined.refit();
-    refresh(slot);
-  }
+  hypotheses_[slot].add(ribbon, {index, probability});
+  refresh(slot);
   index_.enter(slot, voxels_);
   if (others_.size() > 1) merge_with(others_, slot);
 }
@@ -109,26 +101,15 @@ void PlaneMap::merge(std::uint32_t into, std::uint32_t from) {
 std::vector<Hypothesis> PlaneMap::hypotheses() const {
   std::vector<Hypothesis> alive;
   for (std::uint32_t slot = 0; slot < hypotheses_.size(); ++slot) {
-    if (!is_alive(slot)) continue;
-    alive.push_back(hypotheses_[slot]);
-    if (alive.back().unfitted_share() > 0.0) alive.back().refit();
+    if (is_alive(slot)) alive.push_back(hypotheses_[slot]);
   }
   std::sort(alive.begin(), alive.end(),
             [](const Hypothesis& a, const Hypothesis& b) { return a.id < b.id; });
   return alive;
 }
 
-void PlaneMap::refit() {
-  for (std::uint32_t slot = 0; slot < hypotheses_.size(); ++slot) {
-    if (!is_alive(slot) || hypotheses_[slot].unfitted_share() <= 0.0) continue;
-    hypotheses_[slot].refit();
-    refresh(slot);
-  }
-}
-
 std::vector<Hypothesis> PlaneMap::merged_hypotheses() const {
   PlaneMap work = *this;
-  work.refit();
   std::vector<std::uint32_t> order;
   for (std::uint32_t slot = 0; slot < hypotheses_.size(); ++slot) {
     if (is_alive(slot)) order.push_back(slot);

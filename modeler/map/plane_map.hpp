@@ -45,7 +45,6 @@ class PlaneMap {
   };
   std::uint32_t new_slot();
   void refresh(std::uint32_t slot);
-  void refit();
   void find_parallel(std::uint32_t slot);
   bool is_alive(std::uint32_t slot) const { return !hypotheses_[slot].members().empty(); }
   void merge(std::uint32_t into, std::uint32_t from);

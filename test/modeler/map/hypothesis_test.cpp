@@ -48,23 +48,6 @@ TEST(Hypothesis, IsThePlaneOfItsRibbonsTowardsTheSensor) {
   EXPECT_NEAR(0.3, plane.signed_distance({1.7, 9.0, 9.0}), 1e-9);
 }
 
-TEST(Hypothesis, CollectsWithoutFittingUntilAsked) {
-  Scene scene;
-  scene.add(patch({2.0, 2.0, 0.0}, -4.0 * y, 2.0 * z));
-  Hypothesis plane = scene.whole();
-  const Ribbon farther = ribbon_at_wall(0.02);
-  Hypothesis fitted = plane;
-  fitted.add({farther, Pose::Identity()}, {51, 1.0F});
-  const double d_before = plane.d_m();
-  plane.collect({farther, Pose::Identity()}, {51, 1.0F});
-  EXPECT_EQ(d_before, plane.d_m());
-  EXPECT_NEAR(farther.area_m2 / plane.area_m2(), plane.unfitted_share(), 1e-9);
-  plane.refit();
-  EXPECT_EQ(0.0, plane.unfitted_share());
-  EXPECT_EQ(fitted.d_m(), plane.d_m());
-  EXPECT_NE(d_before, plane.d_m());
-}
-
 TEST(Hypothesis, AbsorbsAsIfItHadGotAllItself) {
   Scene left, right, both;
   left.add(patch({2.0, 2.0, 0.0}, -y, z));
