@@ -12,7 +12,8 @@ namespace ribbon_mapper {
 namespace {
 
 using Vector6d = Eigen::Matrix<double, 6, 1>;
-constexpr std::size_t least_cells = 12;  // to tell a shape
+constexpr std::size_t least_cells = 12;    // to tell a shape
+constexpr std::uint32_t least_points = 4;  // of a well-seen cell
 
 using Matrix6d = Eigen::Matrix<double, 6, 6>;
 
@@ -96,6 +97,17 @@ Curvature curvature_of(const Plane& plane) {
   const double bend = std::abs(mean + sign * radius);
   return {bend, std::sqrt(variance * derivative.dot(solver.solve(derivative))),
           bend * length_square / 8.0};
+}
+
+std::optional<double> cell_scatter_m(const Plane& plane) {
+  std::vector<double> distances;
+  for (const PlaneCell& cell : plane.cells) {
+    if (cell.count >= least_points) distances.push_back(std::abs(cell.mean_m));
+  }
+  if (distances.size() < least_cells) return std::nullopt;
+  const auto place = distances.begin() + static_cast<std::ptrdiff_t>(distances.size() * 4 / 5);
+  std::nth_element(distances.begin(), place, distances.end());
+  return *place;
 }
 
 }  // namespace ribbon_mapper

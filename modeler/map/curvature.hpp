@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <optional>
+
 #include "modeler/map/plane.hpp"
 
 namespace ribbon_mapper {
@@ -16,5 +18,10 @@ struct Curvature {
 /// Of the quadric that fits the means of a plane's cells best: tells a facet of a column from a
 /// plane. Sigma is infinite if there are too few cells to tell.
 Curvature curvature_of(const Plane& plane);
+
+/// Four fifths of a plane's well-seen cells have their mean within this of the plane [m]; nothing
+/// if few cells are well seen. Noise averages out in a cell, steps between things side by side do
+/// not.
+std::optional<double> cell_scatter_m(const Plane& plane);
 
 }  // namespace ribbon_mapper
