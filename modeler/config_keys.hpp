@@ -11,8 +11,8 @@ namespace ribbon_mapper {
 template <typename Config, typename Visitor>
 void visit_keys(Config& config, Visitor& visit) {
   auto& scan = config.scan;
-  visit("scan.direction_sigma_deg", scan.direction_sigma_deg, 0.0, 5.0);
   visit("scan.range_sigma_m", scan.range_sigma_m, 1e-4, 1.0);
+  visit("scan.direction_sigma_deg", scan.direction_sigma_deg, 0.0, 5.0);
   visit("scan.least_range_m", scan.least_range_m, 0.0, 100.0);
   visit("scan.most_range_m", scan.most_range_m, 0.1, 1000.0);
   visit("scan.body_half_size_m", scan.body_half_size_m, 0.0, 10.0);
