@@ -39,8 +39,8 @@ bool is_curved(const Plane& plane, const PlaneMapConfig& config) {
 }
 
 /// Things side by side whose faces are almost in line (a row of chairs) pass for one plane, but not
-/// for a flat one: four fifths of a plane's cells lie within a sigma of a single ribbon (the gate is
-/// two of them), as a cell is the mean of several. Large planes may sag.
+/// for a flat one: four fifths of a plane's cells lie within a sigma of a single ribbon (the gate
+/// is two of them), as a cell is the mean of several. Large planes may sag.
 bool is_row_of_things(const Plane& plane, const AssociationGates& gates,
                       const PlaneMapConfig& config) {
   if (plane.area_m2 > 4.0 * config.least_area_m2) return false;
