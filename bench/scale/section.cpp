@@ -176,8 +176,11 @@ void correction_over_ribbons(const Inputs& inputs, Report& report) {
                 result});
     report.set("correction_tenth_over_all", tenth_over_all);
     report.set("bytes_per_m2_at_most_ribbons", bytes_per_m2);
+    const bool is_up_to_a_million = number <= 34;
+    report.set(is_up_to_a_million ? "correction_growth_exponent"
+                                  : "correction_growth_exponent_to_three_million",
+               x.size() > 1 ? fitted_exponent(x, y) : 1.0);
   }
-  report.set("correction_growth_exponent", fitted_exponent(x, y));
 }
 
 /// Far more than `map.most_ribbons`: what is left, and what it is worth.
