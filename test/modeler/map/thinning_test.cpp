@@ -55,5 +55,19 @@ TEST(Thinned, ALongRibbonThatSeesNewThingsStays) {
   EXPECT_EQ(0u, kept.front());
 }
 
+TEST(Thinned, OfPlacesThatAreAllAlikeNoneGoesEmpty) {
+  Scene scene;
+  constexpr std::size_t places = 12;
+  for (std::size_t place = 0; place < places; ++place) scene.add(patch({5.0 * place, 0, 0}, x, y));
+  const std::size_t ribbons = scene.ribbons.size() / places;
+  const auto kept = thinned(scene.evidence(), scene.ribbons.size() / 2);
+  for (std::size_t place = 0; place < places; ++place) {
+    const std::size_t left =
+        count_before(kept, ribbons * (place + 1)) - count_before(kept, ribbons * place);
+    EXPECT_GT(left, ribbons / 4) << place;
+    EXPECT_LT(left, ribbons * 3 / 4) << place;
+  }
+}
+
 }  // namespace
 }  // namespace ribbon_mapper
