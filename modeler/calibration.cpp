@@ -8,6 +8,7 @@
 #include <cstdio>
 #include <stdexcept>
 
+#include "modeler/geometry/square.hpp"
 #include "modeler/scan/scan_line.hpp"
 
 namespace ribbon_mapper {
@@ -35,8 +36,6 @@ constexpr double kEdge_m = 0.2;
 constexpr double kNear_m = 0.5;
 constexpr double kAlike_rad = 20.0 * kDegree;
 constexpr double kBound_sigmas = 3.0;
-
-double square(double x) { return x * x; }
 
 /// Where the plane was seen, without its edges.
 struct Interior {

@@ -15,7 +15,8 @@
 namespace ribbon_mapper::bench {
 namespace {
 
-constexpr double kSpacing_m = 40.0;      // more than any ribbon reaches
+constexpr double kSpacing_m = 40.0;  // more than any ribbon reaches
+constexpr std::size_t kToursOfAMillion = 34;
 constexpr std::size_t kMostTours = 100;  // three million ribbons
 constexpr double kLimit_s = 1800.0;      // of a run of ours; --limit is for the peers
 
@@ -147,9 +148,9 @@ ChildResult corrections_in_child(const Recording& tour, const ModelerConfig& con
 /// The whole tour in more and more places, up to three million ribbons.
 void correction_over_ribbons(const Inputs& inputs, Report& report) {
   const std::string section = "growth: correction and planes over ribbons";
-  const std::vector<std::size_t> numbers = inputs.options.quick
-                                               ? std::vector<std::size_t>{1, 3}
-                                               : std::vector<std::size_t>{1, 3, 10, 34, kMostTours};
+  const std::vector<std::size_t> numbers =
+      inputs.options.quick ? std::vector<std::size_t>{1, 3}
+                           : std::vector<std::size_t>{1, 3, 10, kToursOfAMillion, kMostTours};
   std::vector<double> x, y;
   double tour_mb = 0.0;
   for (const std::size_t number : numbers) {
@@ -176,7 +177,7 @@ void correction_over_ribbons(const Inputs& inputs, Report& report) {
                 result});
     report.set("correction_tenth_over_all", tenth_over_all);
     report.set("bytes_per_m2_at_most_ribbons", bytes_per_m2);
-    const bool is_up_to_a_million = number <= 34;
+    const bool is_up_to_a_million = number <= kToursOfAMillion;
     report.set(is_up_to_a_million ? "correction_growth_exponent"
                                   : "correction_growth_exponent_to_three_million",
                x.size() > 1 ? fitted_exponent(x, y) : 1.0);

@@ -97,7 +97,7 @@ CellGrid::Tile& CellGrid::tile_of(int u, int v) {
 /// Along a ribbon, places in the grid are linear in the steps. Heights do not move a sample to
 /// another cell: the ribbon is as good as parallel to the plane.
 void CellGrid::add(const PosedSamples& ribbon) {
-  const RibbonSamples& samples = ribbon.samples;
+  const RibbonSamples& samples = ribbon.samples();
   const Eigen::Vector3d start = place_of(ribbon.point(samples.start_m, 0.0F));
   const Eigen::Vector3d step = to_grid_ * (RibbonSamples::along_step_m * ribbon.along);
   const FixedPoint u_start(start.x()), v_start(start.y()), u_step(step.x()), v_step(step.y());

@@ -10,7 +10,7 @@
 
 #include "modeler/map/grid_keys.hpp"
 #include "modeler/map/plane.hpp"
-#include "modeler/map/posed_samples.hpp"
+#include "modeler/map/posed_ribbon.hpp"
 #include "modeler/map/two_sided_vector.hpp"
 
 namespace ribbon_mapper {

@@ -19,7 +19,6 @@ inline int cube_side(const Eigen::Vector3d& direction) {
 
 /// One bit for each side.
 using CubeSides = std::uint8_t;
-constexpr CubeSides all_cube_sides = (1 << cube_sides) - 1;
 
 inline int first_side(CubeSides sides) { return __builtin_ctz(sides); }
 

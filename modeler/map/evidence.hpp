@@ -6,7 +6,6 @@
 
 #include "modeler/geometry/pose.hpp"
 #include "modeler/map/posed_ribbon.hpp"
-#include "modeler/map/posed_samples.hpp"
 #include "modeler/ribbon/stray_points.hpp"
 
 namespace ribbon_mapper {

@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "modeler/geometry/square.hpp"
+
 namespace ribbon_mapper {
 namespace {
 
@@ -16,8 +18,6 @@ constexpr double max_excuse_rad = 3.0 * degree;
 double tilt(const Eigen::Vector3d& normal, const Eigen::Vector3d& direction) {
   return std::abs(normal.dot(direction));
 }
-
-double square(double x) { return x * x; }
 
 /// By how much two sigma of an error of a normal widen the gate of angles.
 double excuse(double variance) { return std::min(max_excuse_rad, 2.0 * std::sqrt(variance)); }

@@ -10,25 +10,34 @@
 
 namespace ribbon_mapper {
 
-/// A ribbon moved to where its acquisition pose is believed to be (eq. 5, exactly: the rigid
-/// transform of its points).
-struct PosedRibbon {
-  PosedRibbon(const Ribbon& source, const Pose& pose)
+/// A ribbon's samples moved to where its acquisition pose is believed to be: all that the cells of
+/// a plane need of it.
+struct PosedSamples {
+  PosedSamples(const Ribbon& source, const Pose& pose)
       : ribbon(&source),
-        moments(source.spread.transformed(pose)),
-        centroid(moments.mean()),
+        centroid(pose * source.spread.mean()),
         normal(pose.linear() * source.normal.cast<double>()),
-        along(pose.linear() * source.along.cast<double>()),
-        across(normal.cross(along)) {}
+        along(pose.linear() * source.along.cast<double>()) {}
 
-  /// A point of one of the ribbon's samples.
+  const RibbonSamples& samples() const { return ribbon->samples; }
   Eigen::Vector3d point(float along_m, float height_m) const {
     return centroid + along_m * along + height_m * normal;
   }
 
   const Ribbon* ribbon;
+  Eigen::Vector3d centroid, normal, along;
+};
+
+/// A ribbon moved to where its acquisition pose is believed to be (eq. 5, exactly: the rigid
+/// transform of its points).
+struct PosedRibbon : PosedSamples {
+  PosedRibbon(const Ribbon& source, const Pose& pose)
+      : PosedSamples(source, pose),
+        moments(source.spread.transformed(pose)),
+        across(normal.cross(along)) {}
+
   Moments moments;
-  Eigen::Vector3d centroid, normal, along, across;
+  Eigen::Vector3d across;
 };
 
 }  // namespace ribbon_mapper

@@ -56,14 +56,7 @@ class SurfaceIndex {
  private:
   static constexpr VoxelKey nowhere = ~VoxelKey{0};
 
-  VoxelKey voxel_of(const Eigen::Vector3d& point) const {
-    const auto part = [&](double x_m) {
-      constexpr VoxelKey mask = (VoxelKey{1} << voxel_key_bits) - 1;
-      return static_cast<VoxelKey>(floor_to_int(voxels_per_m_ * x_m)) & mask;
-    };
-    return (part(point.x()) << (2 * voxel_key_bits)) | (part(point.y()) << voxel_key_bits) |
-           part(point.z());
-  }
+  VoxelKey voxel_of(const Eigen::Vector3d& point) const { return voxel_key(voxels_per_m_ * point); }
 
   void enter(VoxelKey key, const Candidate& candidate) {
     std::vector<Candidate>& here = candidates_[key];
@@ -112,7 +105,7 @@ class StrayTaker {
       return plane.normal.dot(ribbon.normal) > least_cosine_of_side;
     };
     std::uint32_t all = 0;
-    ribbon.samples.for_each([&](float along_m, float height_m, std::uint32_t count) {
+    ribbon.samples().for_each([&](float along_m, float height_m, std::uint32_t count) {
       all += count;
       find(ribbon.point(along_m, height_m), count, faces);
     });

@@ -108,9 +108,6 @@ void VoxelIndex::enter(std::uint32_t slot, const std::vector<std::uint32_t>& vox
   if (is_new) touched.reserve(4);
   fresh_.clear();
   for (const std::uint32_t voxel : voxels) {
-    std::uint32_t& recent = entry.recent[voxel % entry.recent.size()];
-    if (recent == voxel + 1) continue;
-    recent = voxel + 1;
     const auto place = std::lower_bound(touched.begin(), touched.end(), voxel);
     if (place != touched.end() && *place == voxel) continue;
     touched.insert(place, voxel);

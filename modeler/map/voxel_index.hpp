@@ -71,8 +71,7 @@ class VoxelIndex {
     std::uint32_t question = 0;                               // the last one that it answered
   };
   struct Entry {
-    std::vector<std::uint32_t> touched;        // voxels, sorted
-    std::array<std::uint32_t, 4> recent = {};  // some of these, plus one; by their last bits
+    std::vector<std::uint32_t> touched;  // voxels, sorted
     std::uint32_t question = 0;
     CubeSides sides = 0;
   };

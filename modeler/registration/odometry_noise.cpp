@@ -7,6 +7,8 @@
 #include <array>
 #include <cmath>
 
+#include "modeler/geometry/square.hpp"
+
 namespace ribbon_mapper {
 namespace {
 
@@ -15,8 +17,6 @@ constexpr Indices in_plane{0, 1, 5}, out_of_plane{2, 3, 4};
 constexpr double least_scale = 0.01;
 // What a step's error has at least, that beliefs stay regular: 0.01 mm, 0.01 mrad.
 constexpr double least_variance = 1e-10;
-
-double square(double x) { return x * x; }
 
 /// Square of an error in sigmas, per component.
 double mean_square_of(const PoseBelief& expected, const Pose& truth, const Indices& of) {

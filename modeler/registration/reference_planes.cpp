@@ -7,6 +7,8 @@
 #include <cmath>
 #include <map>
 
+#include "modeler/geometry/square.hpp"
+
 namespace ribbon_mapper {
 namespace {
 
@@ -19,8 +21,6 @@ constexpr int any_side = 0;
 
 // Of two planes the likelier one must be e^2 times as likely, unless they lie within the noise.
 constexpr double ambiguous_square_sigmas = 4.0;
-
-double square(double x) { return x * x; }
 
 double tilt(const Eigen::Vector3d& normal, const Eigen::Vector3d& direction) {
   return std::asin(std::min(1.0, std::abs(normal.dot(direction))));

@@ -2,12 +2,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "modeler/registration/sight.hpp"
 
+#include "modeler/geometry/square.hpp"
 #include "modeler/map/posed_ribbon.hpp"
 
 namespace ribbon_mapper {
 namespace {
-
-double square(double x) { return x * x; }
 
 /// Variance along the normal of a point that is moved by a motion of the base, in its frame.
 double variance_along(const Eigen::Vector3d& normal, const Eigen::Vector3d& point,

@@ -5,12 +5,12 @@
 #include <algorithm>
 #include <cmath>
 
+#include "modeler/geometry/square.hpp"
+
 namespace ribbon_mapper {
 namespace {
 
 constexpr double degree = M_PI / 180.0;
-
-double square(double x) { return x * x; }
 
 Moments three_lines(const LineBuffer& buffer, std::size_t begin, std::size_t end) {
   return buffer.previous().moments(begin, end) + buffer.middle().moments(begin, end) +
@@ -87,14 +87,15 @@ void RibbonExtraction::find_runs(const ScanLine& line) {
 }
 
 /// Within so many sigma of what errors of the range and of the direction do across the plane. At a
-/// slant next to nothing is left of the range's, and the foot of the wall behind is told from noise.
+/// slant next to nothing is left of the range's, and the foot of the wall behind is told from
+/// noise.
 bool RibbonExtraction::lies_on(const PlaneFit& plane, const ScanLine& line,
                                std::size_t beam) const {
   const double distance = plane.normal().dot(line.points[beam] - plane.mean);
   const double square_sine = square(plane.normal().dot(line.directions[beam]));
   const double direction_sigma_m = scan_.direction_sigma_deg * degree * line.ranges_m[beam];
-  const double variance = square_sine * square(scan_.range_sigma_m) +
-                          (1.0 - square_sine) * square(direction_sigma_m);
+  const double variance =
+      square_sine * square(scan_.range_sigma_m) + (1.0 - square_sine) * square(direction_sigma_m);
   return square(distance) <= square(config_.outlier_sigmas) * variance;
 }
 
