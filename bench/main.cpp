@@ -15,9 +15,9 @@
 #include "bench/recording/bag_recording.hpp"
 #include "bench/recording/tour_recording.hpp"
 #include "bench/sections.hpp"
-#include "eval/share.hpp"
-#include "modeler/bag/bag_check_options.hpp"
 #include "modeler/io/config_file.hpp"
+#include "modeler/program/installed_files.hpp"
+#include "modeler/ros/bag_check/bag_check_options.hpp"
 
 namespace {
 
@@ -81,7 +81,7 @@ void shorten(Recording& recording) {
 
 Inputs inputs_of(const Options& options, const std::string& config, Recording recording) {
   if (options.quick) shorten(recording);
-  return {options, load_config(eval::find_shared(config).string()), std::move(recording)};
+  return {options, load_config(find_shared(config).string()), std::move(recording)};
 }
 
 std::vector<Inputs> bags_of(const Options& options) {

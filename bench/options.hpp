@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "modeler/bag/bag_lines.hpp"
+#include "modeler/ros/bag/bag_lines.hpp"
 
 namespace ribbon_mapper::bench {
 

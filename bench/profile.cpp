@@ -24,7 +24,7 @@ void run_for_profile(const Inputs& inputs, Report& /*report*/) {
     enter("correct");
     modeler.correct(truth);
     enter("planes");
-    keep(modeler.merged_planes());
+    keep(modeler.planes());
     enter("bench");
   }
 }

@@ -4,16 +4,16 @@
 
 #include <cmath>
 
-#include "modeler/geometry/sparing_vector.hpp"
-#include "modeler/map/evidence.hpp"
-#include "modeler/map/plane_builder.hpp"
-#include "modeler/map/plane_map.hpp"
-#include "modeler/map/thinning.hpp"
-#include "modeler/map/trajectory.hpp"
+#include "modeler/assembly/plane_assembly.hpp"
+#include "modeler/association/plane_map.hpp"
+#include "modeler/geometry/vector_storage.hpp"
+#include "modeler/observations/observations.hpp"
+#include "modeler/observations/thinning.hpp"
 #include "modeler/registration/registration.hpp"
 #include "modeler/ribbon/ribbon_extraction.hpp"
+#include "modeler/scan/line_averaging.hpp"
 #include "modeler/scan/line_buffer.hpp"
-#include "modeler/scan/line_pool.hpp"
+#include "modeler/trajectory/trajectory.hpp"
 
 namespace ribbon_mapper {
 namespace {
@@ -40,9 +40,9 @@ struct Modeler::State {
     const double step_m = config.scan.line_step_sigmas * config.scan.range_sigma_m;
     if (base_line_m(newest, line) >= step_m) return true;
     pool.add(beams, poses);
-    if (pool.lines() < LinePool::kLeastLines) return false;
+    if (pool.lines() < LineAverager::kMinLines) return false;
     place_beams(pool.beams(), pool.poses(), config.scan, line);
-    line.pooled_lines = pool.lines();
+    line.averaged_lines = pool.lines();
     return base_line_m(newest, line) >= step_m / std::sqrt(static_cast<double>(pool.lines()));
   }
 
@@ -52,18 +52,18 @@ struct Modeler::State {
     const std::vector<Ribbon>& found = extraction.extract(buffer, points);
     trajectory.add({{middle.stamp, middle.T_map_base}, middle.T_odom_base});
     const auto pose = static_cast<std::uint32_t>(trajectory.size() - 1);
-    const Pose T_world_base =
+    const Pose T_model_base =
         trajectory.T_map_base(0).inverse(Eigen::Isometry) * trajectory.T_map_base(pose);
-    grow_sparingly(strays);
-    strays.push_back(extraction.strays(buffer, points));
-    strays.back().pose = pose;
+    reserve_one_more(unassigned);
+    unassigned.push_back(extraction.unassigned(buffer, points));
+    unassigned.back().pose = pose;
     for (Ribbon ribbon : found) {
       ribbon.pose = pose;
-      grow_sparingly(ribbons);
+      reserve_one_more(ribbons);
       ribbons.push_back(ribbon);
-      map.add({ribbon, T_world_base}, static_cast<std::uint32_t>(ribbons.size() - 1));
+      map.add({ribbon, T_model_base}, static_cast<std::uint32_t>(ribbons.size() - 1));
     }
-    if (most_ribbons() > 0 && ribbons.size() > most_ribbons()) thin();
+    if (max_ribbons() > 0 && ribbons.size() > max_ribbons()) thin();
   }
 
   /// Where corrected poses are too far apart for the odometry to be believed in between.
@@ -75,18 +75,18 @@ struct Modeler::State {
 
   /// Leaves ribbons out where they are dense, and lines that none of the others came from.
   void thin() {
-    const std::size_t count = most_ribbons() - most_ribbons() / 8;
-    const std::vector<std::uint32_t> kept = thinned(evidence(), count);
+    const std::size_t count = max_ribbons() - max_ribbons() / 8;
+    const std::vector<std::uint32_t> kept = thinned(observations(), count);
     thinned_ribbons += ribbons.size() - kept.size();
-    keep_only(kept, ribbons);
+    keep_indices(kept, ribbons);
     std::vector<std::uint32_t> kept_poses;
     for (Ribbon& ribbon : ribbons) {
       if (kept_poses.empty() || kept_poses.back() != ribbon.pose) kept_poses.push_back(ribbon.pose);
       ribbon.pose = static_cast<std::uint32_t>(kept_poses.size() - 1);
     }
     trajectory.keep(kept_poses);
-    keep_only(kept_poses, strays);
-    for (std::uint32_t i = 0; i < strays.size(); ++i) strays[i].pose = i;
+    keep_indices(kept_poses, unassigned);
+    for (std::uint32_t i = 0; i < unassigned.size(); ++i) unassigned[i].pose = i;
     store_anew();
     evaluate_anew(map.gates(), kept);
   }
@@ -97,7 +97,8 @@ struct Modeler::State {
     for (Ribbon& ribbon : ribbons) {
       ribbon.samples.first = anew.samples.keep(ribbon.samples.first, ribbon.samples.size);
     }
-    for (StrayPoints& line : strays) line.first = anew.strays.keep(line.first, line.size);
+    for (UnassignedPoints& line : unassigned)
+      line.first = anew.unassigned.keep(line.first, line.size);
     points = std::move(anew);
   }
 
@@ -105,23 +106,23 @@ struct Modeler::State {
   void evaluate_anew(const AssociationGates& gates,
                      const std::vector<std::uint32_t>& index_before = {}) {
     PlaneMap anew(config.map, gates, map.next_id());
-    const Evidence all = evidence();
+    const Observations all = observations();
     for (std::uint32_t i = 0; i < ribbons.size(); ++i) anew.add(all.ribbon(i), i);
     anew.take_ids_from(map, index_before);
     map = std::move(anew);
   }
 
-  std::size_t most_ribbons() const { return static_cast<std::size_t>(config.map.most_ribbons); }
+  std::size_t max_ribbons() const { return static_cast<std::size_t>(config.map.max_ribbons); }
 
-  Evidence evidence() const { return {ribbons, strays, trajectory.poses()}; }
+  Observations observations() const { return {ribbons, unassigned, trajectory.poses()}; }
 
   ModelerConfig config;
   LineBuffer buffer;
-  LinePool pool;
+  LineAverager pool;
   RibbonExtraction extraction;
-  PointStore points;  ///< of ribbons and strays
+  PointStore points;  ///< of ribbons and unassigned
   std::vector<Ribbon> ribbons;
-  std::vector<StrayPoints> strays;
+  std::vector<UnassignedPoints> unassigned;
   Trajectory trajectory;
   PlaneMap map;
   std::size_t lines = 0, revision = 0, thinned_ribbons = 0;
@@ -177,13 +178,13 @@ void Modeler::correct(const std::vector<StampedPose>& corrected_trajectory) {
 
 void Modeler::reset() { state_ = std::make_unique<State>(state_->config); }
 
-std::vector<Plane> Modeler::planes() const {
-  return confirmed_planes(state_->map.hypotheses(), state_->evidence(), state_->config.map);
+std::vector<Plane> Modeler::planes_as_built() const {
+  return confirmed_planes(state_->map.hypotheses(), state_->observations(), state_->config.map);
 }
 
-std::vector<Plane> Modeler::merged_planes() const {
+std::vector<Plane> Modeler::planes() const {
   const State& s = *state_;
-  return filtered_planes(s.map.merged_hypotheses(), s.map.gates(), s.evidence(), s.config.map);
+  return filtered_planes(s.map.merged_hypotheses(), s.map.gates(), s.observations(), s.config.map);
 }
 
 std::vector<StampedPose> Modeler::trajectory() const { return state_->trajectory.poses(); }
@@ -196,9 +197,9 @@ ModelStatistics Modeler::statistics() const {
 
 std::size_t Modeler::memory_bytes() const {
   const State& s = *state_;
-  return s.ribbons.capacity() * sizeof(Ribbon) + s.strays.capacity() * sizeof(StrayPoints) +
-         s.points.samples.memory_bytes() + s.points.strays.memory_bytes() + s.map.memory_bytes() +
-         s.trajectory.memory_bytes();
+  return s.ribbons.capacity() * sizeof(Ribbon) +
+         s.unassigned.capacity() * sizeof(UnassignedPoints) + s.points.samples.memory_bytes() +
+         s.points.unassigned.memory_bytes() + s.map.memory_bytes() + s.trajectory.memory_bytes();
 }
 
 }  // namespace ribbon_mapper

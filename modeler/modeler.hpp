@@ -6,10 +6,10 @@
 #include <vector>
 
 #include "modeler/geometry/pose.hpp"
-#include "modeler/map/plane.hpp"
 #include "modeler/modeler_config.hpp"
 #include "modeler/ribbon/ribbon.hpp"
 #include "modeler/scan/laser_beams.hpp"
+#include "modeler/surface/plane.hpp"
 
 namespace ribbon_mapper {
 
@@ -27,7 +27,7 @@ const char* to_string(LineResult result);
 struct ModelStatistics {
   std::size_t lines = 0;     ///< given to add_scan_line()
   std::size_t ribbons = 0;   ///< in the model
-  std::size_t thinned = 0;   ///< ribbons that were left out for PlaneMapConfig::most_ribbons
+  std::size_t thinned = 0;   ///< ribbons that were left out for PlaneMapConfig::max_ribbons
   std::size_t revision = 0;  ///< number of corrections applied
 };
 
@@ -45,7 +45,7 @@ class Modeler {
 
   /// Sections 4.1 to 4.3 of the paper: buffer, surfels, ribbons, association. Never throws on bad
   /// data: the result says what became of the line. When the model has
-  /// PlaneMapConfig::most_ribbons, an eighth of them is left out, where they are densest, and the
+  /// PlaneMapConfig::max_ribbons, an eighth of them is left out, where they are densest, and the
   /// model evaluated again.
   LineResult add_scan_line(const LaserBeams& beams, const LinePoses& poses);
 
@@ -66,10 +66,10 @@ class Modeler {
   void reset();
 
   /// Confirmed planes as built on the way (or, after correct(), as evaluated again).
-  std::vector<Plane> planes() const;
+  std::vector<Plane> planes_as_built() const;
 
   /// The same after the final merging and filtering of small planes.
-  std::vector<Plane> merged_planes() const;
+  std::vector<Plane> planes() const;
 
   /// Acquisition poses as they are now (corrected if there was a correction), one per line in
   /// the model, stamps strictly increasing. A line of which no ribbon was kept has left it.

@@ -2,10 +2,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "modeler/map/correction_config.hpp"
-#include "modeler/map/plane_map_config.hpp"
+#include "modeler/association/association_config.hpp"
 #include "modeler/ribbon/ribbon_config.hpp"
 #include "modeler/scan/scan_config.hpp"
+#include "modeler/trajectory/trajectory_config.hpp"
 
 namespace ribbon_mapper {
 

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "bench/correction/ribbon_floor.hpp"
 
-#include "modeler/map/posed_ribbon.hpp"
+#include "modeler/observations/posed_ribbon.hpp"
 
 namespace ribbon_mapper::bench {
 

@@ -13,7 +13,7 @@ matplotlib.use('Agg')
 from matplotlib import pyplot  # noqa: E402
 
 STAGES = {'lines': 'lines: points to associated ribbons', 'correct': 'correct()',
-          'planes': 'merged_planes(), cells included'}
+          'planes': 'planes(), cells included'}
 SHOWN = 9  # functions of a stage
 
 

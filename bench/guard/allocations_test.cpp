@@ -11,13 +11,13 @@
 #include <cstdlib>
 #include <new>
 
-#include "eval/share.hpp"
 #include "modeler/modeler.hpp"
+#include "modeler/program/installed_files.hpp"
 #include "modeler/ribbon/ribbon_extraction.hpp"
-#include "sim/hokuyo.hpp"
-#include "sim/pr2.hpp"
-#include "sim/tilt_profile.hpp"
-#include "sim/world.hpp"
+#include "sim/robot/hokuyo.hpp"
+#include "sim/robot/pr2.hpp"
+#include "sim/robot/tilt_profile.hpp"
+#include "sim/world/world.hpp"
 
 namespace {
 std::atomic<std::size_t> allocations{0};
@@ -55,7 +55,7 @@ struct Line {
 
 /// Lines of a robot that stands in the living room of the flat and nods with its laser.
 std::vector<Line> standing_lines() {
-  const auto world = sim::World::load(eval::find_shared("worlds/apartment.sdf").string());
+  const auto world = sim::World::load(find_shared("worlds/apartment.sdf").string());
   const Pose T_map_base = planar_pose(-2.1, 1.0, 0.4);
   const sim::TiltProfile tilt{sim::TiltProfileConfig{}};
   const auto T_base_laser = [&](Time time) { return sim::pr2::T_base_laser(tilt.angle_rad(time)); };
@@ -136,7 +136,7 @@ TEST(Allocations, StopFromBeamsToRibbons) {
   std::size_t made = 0;
   const auto counts = counts_of(standing_lines(), on_middle_lines(buffer, [&] {
                                   made += extraction.extract(buffer, store).size();
-                                  extraction.strays(buffer, store);
+                                  extraction.unassigned(buffer, store);
                                 }));
   ASSERT_GT(made, 1000u);
   EXPECT_LE(share_of_allocating(counts), kSeldom);

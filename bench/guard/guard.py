@@ -21,7 +21,7 @@ STAGES = {
     'scan': 'ribbon_mapper::sim::Tour::next_scan',
     'line': 'ribbon_mapper::Modeler::add_scan_line',
     'correct': 'ribbon_mapper::Modeler::correct',
-    'planes': 'ribbon_mapper::Modeler::merged_planes',
+    'planes': 'ribbon_mapper::Modeler::planes',
 }
 
 

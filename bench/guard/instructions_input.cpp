@@ -7,9 +7,9 @@
 #include <cstdio>
 #include <exception>
 
-#include "eval/share.hpp"
 #include "modeler/modeler.hpp"
-#include "sim/tour.hpp"
+#include "modeler/program/installed_files.hpp"
+#include "sim/tour/tour.hpp"
 
 namespace {
 
@@ -24,8 +24,8 @@ LinePoses poses_of(const sim::Tour& tour, const LaserBeams& beams) {
 }
 
 void run() {
-  const auto world = sim::World::load(eval::find_shared("worlds/apartment.sdf").string());
-  const auto route = sim::Route::load(eval::find_shared("worlds/apartment.route.yaml").string());
+  const auto world = sim::World::load(find_shared("worlds/apartment.sdf").string());
+  const auto route = sim::Route::load(find_shared("worlds/apartment.route.yaml").string());
   sim::Tour tour(world, route, sim::TourConfig());
   Modeler modeler(ModelerConfig{});
   for (std::size_t i = 0; i < kLines; ++i) {
@@ -42,8 +42,7 @@ void run() {
   std::vector<StampedPose> truth = modeler.trajectory();
   for (StampedPose& pose : truth) pose.T_map_base = tour.true_T_map_base(pose.stamp);
   modeler.correct(truth);
-  std::printf("ribbons %zu planes %zu\n", modeler.statistics().ribbons,
-              modeler.merged_planes().size());
+  std::printf("ribbons %zu planes %zu\n", modeler.statistics().ribbons, modeler.planes().size());
 }
 
 }  // namespace

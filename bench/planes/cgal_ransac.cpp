@@ -15,7 +15,7 @@ using RansacPlane = CGAL::Shape_detection::Plane<Traits>;
 
 struct Settings {
   unsigned int neighbours;
-  std::size_t least_points;
+  std::size_t min_points;
   double gap_m;  ///< between points of one plane
 };
 Settings settings_of(Density density) {
@@ -30,7 +30,7 @@ std::vector<Points> detected(const Points& points, const Settings& settings) {
   ransac.add_shape_factory<RansacPlane>();
   Ransac::Parameters parameters;
   parameters.probability = 0.01;
-  parameters.min_points = settings.least_points;
+  parameters.min_points = settings.min_points;
   parameters.epsilon = 0.03;
   parameters.cluster_epsilon = settings.gap_m;
   parameters.normal_threshold = 0.9;

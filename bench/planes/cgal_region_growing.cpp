@@ -22,7 +22,7 @@ using Growing = detection::Region_growing<Cloud, Query, Region, Sorting::Seed_ma
 struct Settings {
   unsigned int neighbours;
   double distance_m, angle_deg;
-  std::size_t least_points;
+  std::size_t min_points;
 };
 Settings settings_of(Density density) {
   return density == Density::dense ? Settings{100, 0.05, 15.0, 500} : Settings{24, 0.05, 15.0, 150};
@@ -31,7 +31,7 @@ Settings settings_of(Density density) {
 std::vector<Points> grown(const Points& points, const Settings& settings) {
   const Cloud cloud = with_normals(points, settings.neighbours);
   Query query(cloud, 12, PointMap());
-  Region region(cloud, settings.distance_m, settings.angle_deg, settings.least_points, PointMap(),
+  Region region(cloud, settings.distance_m, settings.angle_deg, settings.min_points, PointMap(),
                 NormalMap());
   Sorting sorting(cloud, query, PointMap());
   sorting.sort();

@@ -9,9 +9,9 @@
 #include <optional>
 
 #include "bench/stopwatch.hpp"
-#include "eval/model_quality.hpp"
+#include "modeler/assembly/model_quality.hpp"
 #include "modeler/geometry/moments.hpp"
-#include "modeler/map/footprint.hpp"
+#include "modeler/surface/footprint.hpp"
 
 namespace ribbon_mapper::bench {
 namespace {
@@ -54,10 +54,10 @@ Merged merged_of(const Points& points) {
 /// Of a point from the nearest plane that it lies on.
 std::optional<double> distance_of(const Eigen::Vector3d& point,
                                   const std::vector<Footprint>& footprints) {
-  constexpr double kMost_m = 0.10;
+  constexpr double kMax_m = 0.10;
   std::optional<double> nearest_m;
   for (const Footprint& footprint : footprints) {
-    if (!footprint.holds(point, kMost_m)) continue;
+    if (!footprint.holds(point, kMax_m)) continue;
     const Plane& plane = footprint.plane();
     const double distance_m = std::abs(plane.normal.dot(point) + plane.d_m);
     if (!nearest_m || distance_m < *nearest_m) nearest_m = distance_m;
@@ -83,7 +83,7 @@ std::vector<Plane> bounded_planes(const std::vector<Points>& planes, const ViewF
     for (const Eigen::Vector3f& point : points) patch.cells.push_back(point.cast<double>());
     Plane plane = eval::plane_of(patch, 0, config.cell_size_m);
     plane.area_m2 = plane.cells.size() * plane.cell_size_m * plane.cell_size_m;
-    if (plane.area_m2 >= config.least_area_m2) bounded.push_back(std::move(plane));
+    if (plane.area_m2 >= config.min_area_m2) bounded.push_back(std::move(plane));
   }
   return bounded;
 }
@@ -137,11 +137,11 @@ nlohmann::json judged_by_points(const std::vector<Plane>& planes, const Points& 
       distances_m.push_back(*distance_m);
     }
   }
-  eval::DuplicateRule rule;
+  DuplicateRule rule;
   rule.touching_m = config.stripe_gap_m;
   return {{"planes", planes.size()},
           {"area_m2", area_m2},
-          {"duplicates", eval::duplicates_of_larger(planes, rule).size()},
+          {"duplicates", duplicates_of_larger(planes, rule).size()},
           {"points_share",
            static_cast<double>(distances_m.size() * stride) / static_cast<double>(points.size())},
           {"points_mm", distances_m.empty() ? 0.0 : 1e3 * median(distances_m)}};

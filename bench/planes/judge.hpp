@@ -7,9 +7,9 @@
 #include <vector>
 
 #include "bench/planes/planes_peer.hpp"
-#include "eval/map_metrics.hpp"
-#include "modeler/map/plane.hpp"
-#include "modeler/map/plane_map_config.hpp"
+#include "eval/metrics/map_metrics.hpp"
+#include "modeler/association/association_config.hpp"
+#include "modeler/surface/plane.hpp"
 
 namespace ribbon_mapper::bench {
 

@@ -34,7 +34,7 @@ Points from_pcl(const Cloud& cloud) {
 /// takes more.
 struct Settings {
   int neighbours;
-  int least_points;
+  int min_points;
 };
 Settings settings_of(Density density) {
   return density == Density::dense ? Settings{100, 500} : Settings{30, 150};
@@ -54,7 +54,7 @@ std::vector<Points> grown(const Points& points, const Settings& settings) {
   growing.setInputNormals(normals);
   growing.setSearchMethod(tree);
   growing.setNumberOfNeighbours(30);
-  growing.setMinClusterSize(settings.least_points);
+  growing.setMinClusterSize(settings.min_points);
   growing.setSmoothnessThreshold(5.0F / 180.0F * static_cast<float>(M_PI));
   growing.setCurvatureThreshold(0.05F);
   std::vector<pcl::PointIndices> clusters;

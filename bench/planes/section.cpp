@@ -144,7 +144,7 @@ class Contest {
         modeler.add_scan_line(line.beams, line.poses);
       }
       if (poses_ == Poses::true_ones) modeler.correct(truth);
-      planes = modeler.merged_planes();
+      planes = modeler.planes();
     });
     return {{"seconds", seconds}, {"metrics", judged(planes)}};
   }

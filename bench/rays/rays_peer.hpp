@@ -6,9 +6,9 @@
 #include <memory>
 #include <vector>
 
-#include "sim/ray_caster.hpp"
-#include "sim/shape.hpp"
-#include "sim/tessellation.hpp"
+#include "sim/rays/ray_caster.hpp"
+#include "sim/shapes/shape.hpp"
+#include "sim/shapes/tessellation.hpp"
 
 namespace ribbon_mapper::bench {
 

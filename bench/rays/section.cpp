@@ -10,9 +10,9 @@
 #include "bench/recording/tour_recording.hpp"
 #include "bench/sections.hpp"
 #include "bench/stopwatch.hpp"
-#include "sim/hokuyo.hpp"
-#include "sim/pr2.hpp"
-#include "sim/sdf_reader.hpp"
+#include "sim/robot/hokuyo.hpp"
+#include "sim/robot/pr2.hpp"
+#include "sim/world/sdf_reader.hpp"
 
 namespace ribbon_mapper::bench {
 namespace {

@@ -6,12 +6,12 @@
 
 #include <stdexcept>
 
-#include "modeler/ros/line_log.hpp"
+#include "modeler/ros/intake/line_log.hpp"
 
 namespace ribbon_mapper::bench {
 namespace {
 
-constexpr std::size_t kLeastLines = 100;  // some seconds: less is no measurement
+constexpr std::size_t kMinLines = 100;  // some seconds: less is no measurement
 
 RecordedLine recorded(const ReadyLine& ready) {
   RecordedLine line;
@@ -40,7 +40,7 @@ Recording recording_of_bag(const std::filesystem::path& file, const BagOptions& 
   recording.name = file.stem().string();
   BagLines lines({file}, options, log);
   while (const auto line = lines.next()) recording.lines.push_back(recorded(*line));
-  if (recording.lines.size() < kLeastLines) {
+  if (recording.lines.size() < kMinLines) {
     const std::string drop = log.newest_drop().empty() ? "" : " (" + log.newest_drop() + ")";
     throw std::runtime_error(file.string() + ": " + std::to_string(recording.lines.size()) +
                              " lines of " + std::to_string(log.lines()) + " have poses" + drop +

@@ -5,7 +5,7 @@
 #include <filesystem>
 
 #include "bench/recording/recording.hpp"
-#include "modeler/bag/bag_lines.hpp"
+#include "modeler/ros/bag/bag_lines.hpp"
 
 namespace ribbon_mapper::bench {
 

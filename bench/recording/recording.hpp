@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "eval/patch.hpp"
+#include "eval/metrics/patch.hpp"
 #include "modeler/geometry/pose.hpp"
 #include "modeler/scan/laser_beams.hpp"
 #include "modeler/scan/scan_config.hpp"

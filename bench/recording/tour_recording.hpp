@@ -6,7 +6,7 @@
 #include <string>
 
 #include "bench/recording/recording.hpp"
-#include "sim/tour.hpp"
+#include "sim/tour/tour.hpp"
 
 namespace ribbon_mapper::bench {
 

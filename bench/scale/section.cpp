@@ -17,8 +17,8 @@ namespace {
 
 constexpr double kSpacing_m = 40.0;  // more than any ribbon reaches
 constexpr std::size_t kToursOfAMillion = 34;
-constexpr std::size_t kMostTours = 100;  // three million ribbons
-constexpr double kLimit_s = 1800.0;      // of a run of ours; --limit is for the peers
+constexpr std::size_t kMaxTours = 100;  // three million ribbons
+constexpr double kLimit_s = 1800.0;     // of a run of ours; --limit is for the peers
 
 template <typename... Values>
 std::string formatted(const char* format, Values... values) {
@@ -35,7 +35,7 @@ double total_area_m2(const std::vector<Plane>& planes) {
 
 /// Growth is that of models from which nothing is left out.
 ModelerConfig without_limit(ModelerConfig config) {
-  config.map.most_ribbons = 0;
+  config.map.max_ribbons = 0;
   return config;
 }
 
@@ -74,7 +74,7 @@ void lines_over_planes(const Inputs& inputs, Report& report) {
     }
     x.push_back(static_cast<double>(number));
     y.push_back(median(seconds));
-    if (planes_of_place == 0) planes_of_place = modeler.planes().size() / fed;
+    if (planes_of_place == 0) planes_of_place = modeler.planes_as_built().size() / fed;
     const std::size_t ribbons = modeler.statistics().ribbons;
     report.add(
         {section,
@@ -94,7 +94,7 @@ double correction_s(Modeler& modeler, const std::vector<StampedPose>& trajectory
                     std::vector<Plane>& planes) {
   return seconds_of([&] {
     modeler.correct(trajectory);
-    planes = modeler.merged_planes();
+    planes = modeler.planes();
   });
 }
 
@@ -122,7 +122,7 @@ nlohmann::json corrections_of(const Recording& tour, const ModelerConfig& config
   std::vector<Plane> planes;
   result["line_s"] = line_s / static_cast<double>(number);
   const double correct_s = seconds_of([&] { modeler.correct(truth); });
-  const double planes_s = seconds_of([&] { planes = modeler.merged_planes(); });
+  const double planes_s = seconds_of([&] { planes = modeler.planes(); });
   result["correct_s"] = correct_s, result["planes_s"] = planes_s;
   result["seconds"] = correct_s + planes_s;
   result["planes"] = planes.size();
@@ -150,7 +150,7 @@ void correction_over_ribbons(const Inputs& inputs, Report& report) {
   const std::string section = "growth: correction and planes over ribbons";
   const std::vector<std::size_t> numbers =
       inputs.options.quick ? std::vector<std::size_t>{1, 3}
-                           : std::vector<std::size_t>{1, 3, 10, kToursOfAMillion, kMostTours};
+                           : std::vector<std::size_t>{1, 3, 10, kToursOfAMillion, kMaxTours};
   std::vector<double> x, y;
   double tour_mb = 0.0;
   for (const std::size_t number : numbers) {
@@ -184,16 +184,16 @@ void correction_over_ribbons(const Inputs& inputs, Report& report) {
   }
 }
 
-/// Far more than `map.most_ribbons`: what is left, and what it is worth.
+/// Far more than `map.max_ribbons`: what is left, and what it is worth.
 void model_at_its_limit(const Inputs& inputs, Report& report) {
-  if (inputs.options.quick || inputs.config.map.most_ribbons == 0) return;
-  const ChildResult run = corrections_in_child(inputs.recording, inputs.config, kMostTours);
+  if (inputs.options.quick || inputs.config.map.max_ribbons == 0) return;
+  const ChildResult run = corrections_in_child(inputs.recording, inputs.config, kMaxTours);
   const nlohmann::json& result = run.value;
   const std::size_t kept = result["ribbons"], left_out = result["thinned"];
   const double megabytes = 1e-6 * result["bytes"].get<double>();
   const nlohmann::json& f1 = result["f1"];
   report.add(
-      {formatted("growth: a model of %d ribbons at most", inputs.config.map.most_ribbons),
+      {formatted("growth: a model of %d ribbons at most", inputs.config.map.max_ribbons),
        formatted("%zu ribbons seen: correction and planes", kept + left_out),
        result["seconds"].get<double>(),
        1e9 * result["seconds"].get<double>() / static_cast<double>(kept),

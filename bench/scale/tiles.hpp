@@ -3,7 +3,7 @@
 #pragma once
 
 #include "bench/recording/recording.hpp"
-#include "eval/map_metrics.hpp"
+#include "eval/metrics/map_metrics.hpp"
 #include "modeler/modeler.hpp"
 
 namespace ribbon_mapper::bench {

@@ -5,7 +5,7 @@ the paper: planes projected on the ground.
 
 Usage: python3 before_after.py DIRECTORY
 
-Reads planes_before_merged.json, planes_after.json, summary.json, figure.json and trajectory_*.tum
+Reads planes_noisy.json, planes_after.json, summary.json, figure.json and trajectory_*.tum
 from DIRECTORY, as the experiment writes them, and writes before_after.svg and before_after.png
 there.
 """
@@ -131,7 +131,7 @@ def findings(cell, truth):
 def titles_of(summary):
     """Per panel: its title, and the lines below."""
     cells, truth = summary["four_cells"], summary["truth_planes"]
-    raw, before, after = cells["noisy_raw"], cells["noisy_merged"], cells["corrected_merged"]
+    raw, before, after = cells["noisy_as_built"], cells["noisy"], cells["corrected"]
     return [(f"Before the correction: {counted(before['planes'], 'plane', 'planes')}",
              f"merged and filtered; as built on the way: {raw['planes']}\n"
              f"{findings(before, truth)}"),
@@ -166,7 +166,7 @@ def set_title(axes, title, text):
 def draw(directory):
     data = load_json(directory / "figure.json")
     planes = [load_json(directory / f"planes_{when}.json")["planes"]
-              for when in ("before_merged", "after")]
+              for when in ("noisy", "after")]
     before, after, truth = (load_trajectory(directory / f"trajectory_{which}.tum")
                             for which in ("before", "after", "truth"))
     titles = titles_of(load_json(directory / "summary.json"))

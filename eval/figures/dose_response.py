@@ -20,10 +20,10 @@ import matplotlib.pyplot as plt  # noqa: E402 (needs the backend)
 
 CONDITIONS = ("world", "route", "config", "noise", "tilt", "beams", "speed_m_s", "deskew")
 CELLS = {  # name: label, style
-    "noisy_raw": ("noisy, as built", {"color": "tab:red", "marker": "o"}),
-    "noisy_merged": ("noisy, merged (control)", {"color": "tab:orange", "marker": "s"}),
-    "corrected_raw": ("corrected, as built", {"color": "tab:blue", "marker": "^"}),
-    "corrected_merged": ("corrected, merged", {"color": "tab:green", "marker": "D"}),
+    "noisy_as_built": ("noisy, as built", {"color": "tab:red", "marker": "o"}),
+    "noisy": ("noisy, merged (control)", {"color": "tab:orange", "marker": "s"}),
+    "corrected_as_built": ("corrected, as built", {"color": "tab:blue", "marker": "^"}),
+    "corrected": ("corrected, merged", {"color": "tab:green", "marker": "D"}),
 }
 PANELS = (  # key within a cell, title, axis
     ("planes", "Number of planes", "planes"),

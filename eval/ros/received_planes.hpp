@@ -6,8 +6,8 @@
 
 #include <vector>
 
-#include "eval/patch.hpp"
-#include "modeler/map/plane.hpp"
+#include "eval/metrics/patch.hpp"
+#include "modeler/surface/plane.hpp"
 
 namespace ribbon_mapper::eval {
 

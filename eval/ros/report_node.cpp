@@ -7,13 +7,13 @@
 #include <exception>
 #include <stdexcept>
 
-#include "eval/figure.hpp"
+#include "eval/results/world_outlines.hpp"
 #include "eval/ros/tour_watch.hpp"
-#include "eval/share.hpp"
-#include "eval/world_outlines.hpp"
 #include "modeler/io/atomic_file.hpp"
-#include "modeler/ros/strict_parameters.hpp"
-#include "sim/resource_finder.hpp"
+#include "modeler/program/figure.hpp"
+#include "modeler/program/installed_files.hpp"
+#include "modeler/ros/node/strict_parameters.hpp"
+#include "sim/world/resource_finder.hpp"
 
 namespace ribbon_mapper::eval {
 namespace {

@@ -7,7 +7,7 @@
 #include <stdexcept>
 
 #include "eval/ros/received_planes.hpp"
-#include "modeler/ros/message_conversions.hpp"
+#include "modeler/ros/messages/message_conversions.hpp"
 
 namespace ribbon_mapper::eval {
 namespace {

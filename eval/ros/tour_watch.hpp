@@ -14,8 +14,8 @@
 #include <string>
 #include <vector>
 
-#include "eval/results.hpp"
-#include "modeler/ros/pose_history.hpp"
+#include "eval/results/results.hpp"
+#include "sim/ros/pose_history.hpp"
 
 namespace ribbon_mapper::eval {
 

@@ -60,7 +60,7 @@ std::optional<double> smallest_root(const Characteristic& p) {
 
 /// The smallest root where it is well apart from the others and these are no double one at 0: not
 /// where points lie on one line, on one spot, or are as thick as wide.
-std::optional<double> least_variance(const Characteristic& p) {
+std::optional<double> min_variance(const Characteristic& p) {
   if (!(p.minors > 1e-7 * p.trace * p.trace)) return std::nullopt;
   return smallest_root(p);
 }
@@ -81,8 +81,8 @@ Eigen::Vector3d eigenvector(const Covariance& c, double eigenvalue) {
 }
 
 /// From the smallest variance; the axes of the other two are turned within the plane.
-PlaneFit completed(const Moments& moments, const Covariance& c, double least_m2) {
-  const Eigen::Vector3d normal = eigenvector(c, least_m2);
+PlaneFit completed(const Moments& moments, const Covariance& c, double min_m2) {
+  const Eigen::Vector3d normal = eigenvector(c, min_m2);
   const Eigen::Vector3d u = normal.unitOrthogonal(), v = normal.cross(u);
   const Eigen::Vector3d c_u = c * u, c_v = c * v;
   const double uu = u.dot(c_u), vv = v.dot(c_v), uv = u.dot(c_v);
@@ -94,7 +94,7 @@ PlaneFit completed(const Moments& moments, const Covariance& c, double least_m2)
   PlaneFit fit{moments.mean(), {}, {}};
   fit.axes << normal, larger.x() * v - larger.y() * u, larger.x() * u + larger.y() * v;
   const double mean = 0.5 * (uu + vv);
-  fit.variances = {least_m2, std::max(least_m2, mean - length), mean + length};
+  fit.variances = {min_m2, std::max(min_m2, mean - length), mean + length};
   return fit;
 }
 
@@ -152,8 +152,8 @@ Moments Moments::transformed(const Pose& T) const {
 
 PlaneFit fit_plane(const Moments& moments) {
   const Covariance c(moments.upper_covariance());
-  if (const auto least_m2 = least_variance(Characteristic(c))) {
-    return completed(moments, c, *least_m2);
+  if (const auto min_m2 = min_variance(Characteristic(c))) {
+    return completed(moments, c, *min_m2);
   }
   return fit_by_eigen(moments);
 }
@@ -161,19 +161,19 @@ PlaneFit fit_plane(const Moments& moments) {
 std::optional<Eigen::Vector3d> flat_normal(const Moments& moments, const Flatness& flatness) {
   const Covariance c(moments.upper_covariance());
   const Characteristic p(c);
-  const std::optional<double> least_m2 = least_variance(p);
-  if (!least_m2) {
+  const std::optional<double> min_m2 = min_variance(p);
+  if (!min_m2) {
     const PlaneFit fit = fit_by_eigen(moments);
-    const bool is_flat = fit.variances[0] <= flatness.most_variance_m2 &&
-                         fit.variances[1] >= flatness.least_width_ratio * fit.variances[0];
+    const bool is_flat = fit.variances[0] <= flatness.max_variance_m2 &&
+                         fit.variances[1] >= flatness.min_width_ratio * fit.variances[0];
     return is_flat ? std::optional(fit.normal()) : std::nullopt;
   }
   // The other two variances, the roots of x^2 - sum x + product, are not less than `width_m2`.
-  const double width_m2 = flatness.least_width_ratio * *least_m2;
-  const double sum = p.trace - *least_m2, product = p.minors - *least_m2 * sum;
+  const double width_m2 = flatness.min_width_ratio * *min_m2;
+  const double sum = p.trace - *min_m2, product = p.minors - *min_m2 * sum;
   const bool is_wide = 2.0 * width_m2 <= sum && (width_m2 - sum) * width_m2 + product >= 0.0;
-  if (*least_m2 > flatness.most_variance_m2 || !is_wide) return std::nullopt;
-  return eigenvector(c, *least_m2);
+  if (*min_m2 > flatness.max_variance_m2 || !is_wide) return std::nullopt;
+  return eigenvector(c, *min_m2);
 }
 
 }  // namespace ribbon_mapper

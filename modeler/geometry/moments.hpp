@@ -96,8 +96,8 @@ PlaneFit fit_plane(const Moments& moments);
 
 /// When points are flat enough for a normal.
 struct Flatness {
-  double most_variance_m2;   ///< across the plane
-  double least_width_ratio;  ///< the smaller extent's variance, in units of that across the plane
+  double max_variance_m2;  ///< across the plane
+  double min_width_ratio;  ///< the smaller extent's variance, in units of that across the plane
 };
 
 /// The normal of fit_plane(), for less than half the time of all three axes; none if the points are

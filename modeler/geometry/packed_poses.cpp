@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "modeler/geometry/packed_poses.hpp"
 
-#include "modeler/geometry/sparing_vector.hpp"
+#include "modeler/geometry/vector_storage.hpp"
 
 namespace ribbon_mapper {
 
@@ -13,11 +13,11 @@ PackedPoses::Packed PackedPoses::packed(const Pose& pose) {
 }
 
 void PackedPoses::push_back(const Pose& pose) {
-  grow_sparingly(poses_);
+  reserve_one_more(poses_);
   poses_.push_back(packed(pose));
 }
 
-void PackedPoses::keep(const std::vector<std::uint32_t>& indices) { keep_only(indices, poses_); }
+void PackedPoses::keep(const std::vector<std::uint32_t>& indices) { keep_indices(indices, poses_); }
 
 Pose PackedPoses::operator[](std::size_t index) const {
   const Packed& p = poses_[index];

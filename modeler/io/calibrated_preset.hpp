@@ -4,7 +4,7 @@
 
 #include <string>
 
-#include "modeler/calibration.hpp"
+#include "modeler/calibration/calibration.hpp"
 
 namespace ribbon_mapper {
 

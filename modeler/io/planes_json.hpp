@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "modeler/map/plane.hpp"
+#include "modeler/surface/plane.hpp"
 
 namespace ribbon_mapper {
 

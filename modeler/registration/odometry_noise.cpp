@@ -14,13 +14,13 @@ namespace {
 
 using Indices = std::array<int, 3>;
 constexpr Indices in_plane{0, 1, 5}, out_of_plane{2, 3, 4};
-constexpr double least_scale = 0.01;
+constexpr double min_scale = 0.01;
 // What a step's error has at least, that beliefs stay regular: 0.01 mm, 0.01 mrad.
-constexpr double least_variance = 1e-10;
+constexpr double min_variance = 1e-10;
 
 /// Square of an error in sigmas, per component.
 double mean_square_of(const PoseBelief& expected, const Pose& truth, const Indices& of) {
-  const Vector6 error = error_between(expected.T_world_base, truth);
+  const Vector6 error = error_between(expected.T_model_base, truth);
   Eigen::Vector3d e;
   Eigen::Matrix3d covariance;
   for (int i = 0; i < 3; ++i) {
@@ -43,7 +43,7 @@ Vector6 OdometryNoise::variances(const Pose& step) const {
   const double p = square(planar), s = square(spatial);
   Vector6 result;
   result << p * x, p * y, s * y, s * yaw, s * yaw, p * yaw;
-  return result.array() + least_variance;
+  return result.array() + min_variance;
 }
 
 OdometryNoise fitted_to(const std::vector<OdometryCheck>& checks) {
@@ -58,8 +58,8 @@ OdometryNoise fitted_to(const std::vector<OdometryCheck>& checks) {
     spatial += mean_square_of(belief, check.T_first_last_true, out_of_plane);
   }
   const auto count = static_cast<double>(checks.size());
-  noise.planar = std::max(least_scale, std::sqrt(planar / count));
-  noise.spatial = std::max(least_scale, std::sqrt(spatial / count));
+  noise.planar = std::max(min_scale, std::sqrt(planar / count));
+  noise.spatial = std::max(min_scale, std::sqrt(spatial / count));
   return noise;
 }
 

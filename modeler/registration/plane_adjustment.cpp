@@ -26,10 +26,10 @@ struct PlaneSystem {
 
 /// One sighting, weighted.
 struct Equation {
-  Equation(const PlaneSighting& sighting, const Planes& planes, const Pose& T_world_base)
-      : residual(residual_of(*sighting.sight, planes[sighting.plane], T_world_base)),
-        pose(by_pose(*sighting.sight, planes[sighting.plane].normal, T_world_base)),
-        plane(by_plane(*sighting.sight, planes[sighting.plane], T_world_base)),
+  Equation(const PlaneSighting& sighting, const Planes& planes, const Pose& T_model_base)
+      : residual(residual_of(*sighting.sight, planes[sighting.plane], T_model_base)),
+        pose(by_pose(*sighting.sight, planes[sighting.plane].normal, T_model_base)),
+        plane(by_plane(*sighting.sight, planes[sighting.plane], T_model_base)),
         weights(sighting.sight->variances.cwiseInverse()) {
     weights *= robust_weight(residual.cwiseAbs2().dot(weights));
   }
@@ -41,7 +41,7 @@ struct Equation {
 
 void add_to_planes(const FixedLine& line, const Planes& planes, PlaneSystem& system) {
   for (const PlaneSighting& sighting : line.sightings) {
-    const Equation e(sighting, planes, line.T_world_base);
+    const Equation e(sighting, planes, line.T_model_base);
     const auto at = 3 * sighting.plane;
     system.information.block<3, 3>(at, at) +=
         e.plane.transpose() * e.weights.asDiagonal() * e.plane;
@@ -92,8 +92,8 @@ ChainSystem::ChainSystem(const LineChain& chain, const Planes& planes)
 void ChainSystem::add_step(const LineChain& chain, std::size_t step) {
   const bool is_first = step == 0, is_last = step == chain.lines.size();
   if ((is_first && !chain.first_end) || (is_last && !chain.last_end)) return;
-  const Pose& from = is_first ? *chain.first_end : chain.lines[step - 1].T_world_base;
-  const Pose& to = is_last ? *chain.last_end : chain.lines[step].T_world_base;
+  const Pose& from = is_first ? *chain.first_end : chain.lines[step - 1].T_model_base;
+  const Pose& to = is_last ? *chain.last_end : chain.lines[step].T_model_base;
   const Vector6 residual = error_between(from * chain.steps[step], to);
   const Matrix6 information = in_world(chain.variances[step].cwiseInverse(), from.linear());
   const Matrix6 by_from = -carry(from.linear() * chain.steps[step].translation());
@@ -110,7 +110,7 @@ void ChainSystem::add_step(const LineChain& chain, std::size_t step) {
 
 void ChainSystem::add_sightings(const FixedLine& line, const Planes& planes, std::size_t row) {
   for (const PlaneSighting& sighting : line.sightings) {
-    const Equation e(sighting, planes, line.T_world_base);
+    const Equation e(sighting, planes, line.T_model_base);
     const Eigen::Matrix<double, 6, 2> weighted = e.pose.transpose() * e.weights.asDiagonal();
     diagonal_[row] += weighted * e.pose;
     border_[row].middleCols<3>(column_of(sighting.plane)) += weighted * e.plane;
@@ -173,7 +173,7 @@ void adjust(const std::vector<FixedLine>& fixed, std::vector<LineChain>& chains,
   for (std::size_t i = 0; i < chains.size(); ++i) {
     const std::vector<Vector6> pose_errors = chain_systems[i].solve(errors);
     for (std::size_t k = 0; k < pose_errors.size(); ++k) {
-      Pose& pose = chains[i].lines[k].T_world_base;
+      Pose& pose = chains[i].lines[k].T_model_base;
       pose = moved(pose, pose_errors[k]);
     }
   }

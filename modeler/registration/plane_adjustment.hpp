@@ -7,8 +7,8 @@
 #include <optional>
 #include <vector>
 
+#include "modeler/registration/plane_observation.hpp"
 #include "modeler/registration/pose_belief.hpp"
-#include "modeler/registration/sight.hpp"
 
 namespace ribbon_mapper {
 
@@ -20,7 +20,7 @@ struct PlaneSighting {
 
 /// A line whose pose is known, and what it sees.
 struct FixedLine {
-  Pose T_world_base = Pose::Identity();
+  Pose T_model_base = Pose::Identity();
   std::vector<PlaneSighting> sightings;
 };
 

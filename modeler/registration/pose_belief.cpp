@@ -18,13 +18,13 @@ Matrix6 symmetric(const Matrix6& m) { return 0.5 * (m + m.transpose()); }
 
 }  // namespace
 
-Pose moved(const Pose& T_world_base, const Vector6& error) {
-  Pose result = T_world_base;
+Pose moved(const Pose& T_model_base, const Vector6& error) {
+  Pose result = T_model_base;
   const double angle = error.tail<3>().norm();
   if (angle > 0.0) {
     const Eigen::AngleAxisd turn(angle, error.tail<3>() / angle);
     result.linear() =
-        (turn * Eigen::Quaterniond(T_world_base.linear())).normalized().toRotationMatrix();
+        (turn * Eigen::Quaterniond(T_model_base.linear())).normalized().toRotationMatrix();
   }
   result.translation() += error.head<3>();
   return result;
@@ -53,32 +53,32 @@ Matrix6 in_world(const Vector6& on_axes, const Eigen::Matrix3d& rotation) {
 }
 
 PoseBelief after_step(const PoseBelief& from, const Pose& step, const Vector6& variances) {
-  const Eigen::Matrix3d rotation = from.T_world_base.linear();
+  const Eigen::Matrix3d rotation = from.T_model_base.linear();
   const Matrix6 carried = carry(rotation * step.translation());
-  return {from.T_world_base * step,
+  return {from.T_model_base * step,
           carried * from.covariance * carried.transpose() + in_world(variances, rotation)};
 }
 
 PoseBelief before_step(const PoseBelief& to, const Pose& step, const Vector6& variances) {
-  const Pose T_world_base = to.T_world_base * step.inverse(Eigen::Isometry);
-  const Eigen::Matrix3d rotation = T_world_base.linear();
+  const Pose T_model_base = to.T_model_base * step.inverse(Eigen::Isometry);
+  const Eigen::Matrix3d rotation = T_model_base.linear();
   const Matrix6 carried = carry(-(rotation * step.translation()));
-  return {T_world_base,
+  return {T_model_base,
           carried * (to.covariance + in_world(variances, rotation)) * carried.transpose()};
 }
 
 PoseBelief fused(const PoseBelief& a, const PoseBelief& b) {
   const Matrix6 gain = (a.covariance + b.covariance).ldlt().solve(a.covariance).transpose();
-  const Vector6 error = gain * error_between(a.T_world_base, b.T_world_base);
-  return {moved(a.T_world_base, error), symmetric(a.covariance - gain * a.covariance)};
+  const Vector6 error = gain * error_between(a.T_model_base, b.T_model_base);
+  return {moved(a.T_model_base, error), symmetric(a.covariance - gain * a.covariance)};
 }
 
 PoseBelief updated(const PoseBelief& belief, const Observation& observation) {
-  const Vector6 error = error_between(observation.T_world_base, belief.T_world_base);
+  const Vector6 error = error_between(observation.T_model_base, belief.T_model_base);
   const Eigen::PartialPivLU<Matrix6> lu(Matrix6::Identity() +
                                         belief.covariance * observation.information);
   const Vector6 solution = lu.solve(error + belief.covariance * observation.gradient);
-  return {moved(observation.T_world_base, solution), symmetric(lu.solve(belief.covariance))};
+  return {moved(observation.T_model_base, solution), symmetric(lu.solve(belief.covariance))};
 }
 
 }  // namespace ribbon_mapper

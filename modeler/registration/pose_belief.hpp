@@ -15,19 +15,19 @@ using Matrix6 = Eigen::Matrix<double, 6, 6>;
 /// Where a base is believed to be: a Gaussian. Its error moves the base's origin and turns the base
 /// about it, both in the axes of the world.
 struct PoseBelief {
-  Pose T_world_base = Pose::Identity();
+  Pose T_model_base = Pose::Identity();
   Matrix6 covariance = Matrix6::Zero();
 };
 
 /// What the ribbons of one line say about its pose: least squares, linearised at a pose.
 struct Observation {
-  Pose T_world_base = Pose::Identity();  ///< linearised at
+  Pose T_model_base = Pose::Identity();  ///< linearised at
   Matrix6 information = Matrix6::Zero();
   Vector6 gradient = Vector6::Zero();  ///< the solution is information^-1 * gradient
 };
 
 /// The pose moved by an error, and the error that moves one pose to another.
-Pose moved(const Pose& T_world_base, const Vector6& error);
+Pose moved(const Pose& T_model_base, const Vector6& error);
 Vector6 error_between(const Pose& from, const Pose& to);
 
 /// Takes an error of a base to that of a point of it that lies `lever` (in world) further on.

@@ -5,11 +5,11 @@
 #include <algorithm>
 #include <cmath>
 
-#include "modeler/registration/bridge.hpp"
 #include "modeler/registration/odometry_noise.hpp"
 #include "modeler/registration/plane_adjustment.hpp"
-#include "modeler/registration/reference_planes.hpp"
-#include "modeler/registration/spans.hpp"
+#include "modeler/registration/plane_landmarks.hpp"
+#include "modeler/registration/segment_smoother.hpp"
+#include "modeler/registration/trajectory_segment.hpp"
 
 namespace ribbon_mapper {
 namespace {
@@ -39,7 +39,7 @@ class Registration {
   void start(const Span& span);
   LineChain register_span(const Span& span, const ReferencePlanes& planes);
   std::vector<FixedLine> fixed_lines(const ReferencePlanes& planes) const;
-  void find_planes_near(const Evidence& evidence, ReferencePlanes& planes);
+  void find_planes_near(const Observations& observations, ReferencePlanes& planes);
   void take_over(const LineChain& chain, const Span& span);
   void place(std::uint32_t line, const PoseBelief& belief, double part_of_gate);
   double sigma_m(std::uint32_t line, const PoseBelief& belief) const;
@@ -55,7 +55,7 @@ class Registration {
   std::vector<char> is_placed_;             // by line: right
   std::vector<std::int32_t> witness_;       // by line, see ReferencePlanes
   std::vector<char> is_fixed_;              // by line: not in spans_
-  Pose T_map_world_ = Pose::Identity();     // of the round
+  Pose T_map_model_ = Pose::Identity();     // of the round
 };
 
 /// Of all spans whose both ends are known.
@@ -69,7 +69,7 @@ std::vector<OdometryCheck> odometry_checks(const std::vector<Span>& spans) {
   return checks;
 }
 
-std::uint32_t most_lines_of_bridge(const std::vector<Span>& spans) {
+std::uint32_t max_lines_of_bridge(const std::vector<Span>& spans) {
   std::uint32_t most = 0;
   for (const Span& span : spans) {
     if (!span.has_loose_end()) most = std::max(most, span.lines());
@@ -77,9 +77,9 @@ std::uint32_t most_lines_of_bridge(const std::vector<Span>& spans) {
   return most;
 }
 
-std::optional<Pose> in_world(const Pose& T_map_world, const std::optional<Pose>& T_map_base) {
+std::optional<Pose> in_world(const Pose& T_map_model, const std::optional<Pose>& T_map_base) {
   if (!T_map_base) return std::nullopt;
-  return T_map_world.inverse(Eigen::Isometry) * *T_map_base;
+  return T_map_model.inverse(Eigen::Isometry) * *T_map_base;
 }
 
 Registration::Registration(const std::vector<Ribbon>& ribbons, const Trajectory& trajectory,
@@ -94,18 +94,18 @@ Registration::Registration(const std::vector<Ribbon>& ribbons, const Trajectory&
       is_placed_(poses_.size(), 1),
       witness_(poses_.size(), ReferencePlanes::kSure),
       is_fixed_(poses_.size(), 1),
-      T_map_world_(poses_.front().T_map_base) {
+      T_map_model_(poses_.front().T_map_base) {
   view_ribbons(trajectory.recorded().T_odom_base());
   take_spans(std::move(spans));
 }
 
 void Registration::take_spans(std::vector<Span> spans) {
-  const std::uint32_t most_lines = most_lines_of_bridge(spans);
+  const std::uint32_t max_lines = max_lines_of_bridge(spans);
   for (Span& span : spans) {
     if (span.has_loose_end()) {
       std::fill(is_placed_.begin() + span.first_line, is_placed_.begin() + span.end_line, 0);
     }
-    if (span.lines() <= lines_of_ribbon || span.lines() > most_lines) continue;
+    if (span.lines() <= lines_of_ribbon || span.lines() > max_lines) continue;
     if (!is_to_be_registered(span)) continue;
     start(span);
     spans_.push_back(std::move(span));
@@ -124,15 +124,15 @@ void Registration::view_ribbons(const PackedPoses& T_odom_base) {
 }
 
 Bridge Registration::bridge_over(const Span& span) const {
-  return {odometry_steps(span), noise_, in_world(T_map_world_, span.T_map_first),
-          in_world(T_map_world_, span.T_map_last)};
+  return {odometry_steps(span), noise_, in_world(T_map_model_, span.T_map_first),
+          in_world(T_map_model_, span.T_map_last)};
 }
 
 double Registration::sigma_m(std::uint32_t line, const PoseBelief& belief) const {
   if (sights_[line].empty()) return 0.0;
   double square_sum = 0.0;
   for (const Sight& sight : sights_[line]) {
-    const Pose& T = belief.T_world_base;
+    const Pose& T = belief.T_model_base;
     const Vector6 derivative = by_pose(sight, T.linear() * sight.normal, T).row(0).transpose();
     square_sum += derivative.dot(belief.covariance * derivative);
   }
@@ -140,7 +140,7 @@ double Registration::sigma_m(std::uint32_t line, const PoseBelief& belief) const
 }
 
 void Registration::place(std::uint32_t line, const PoseBelief& belief, double part_of_gate) {
-  next_poses_[line].T_map_base = T_map_world_ * belief.T_world_base;
+  next_poses_[line].T_map_base = T_map_model_ * belief.T_model_base;
   is_placed_[line] = sigma_m(line, belief) <= part_of_gate * config_.corrected.distance_m;
 }
 
@@ -169,8 +169,8 @@ LineChain Registration::register_span(const Span& span, const ReferencePlanes& p
     return planes.observe(sights_[span.first_line + line], without_it);
   };
   for (int i = 0; i < sweeps_of_round; ++i) bridge.sweep(observe);
-  LineChain chain{in_world(T_map_world_, span.T_map_first),
-                  in_world(T_map_world_, span.T_map_last),
+  LineChain chain{in_world(T_map_model_, span.T_map_first),
+                  in_world(T_map_model_, span.T_map_last),
                   odometry_steps(span),
                   {},
                   {}};
@@ -179,7 +179,7 @@ LineChain Registration::register_span(const Span& span, const ReferencePlanes& p
     const PoseBelief without = bridge.without(i), belief = updated(without, observe(i, without));
     place(span.first_line + i, belief, placed_in_the_end);
     chain.lines.push_back(
-        {belief.T_world_base, planes.sightings(sights_[span.first_line + i], belief)});
+        {belief.T_model_base, planes.sightings(sights_[span.first_line + i], belief)});
   }
   return chain;
 }
@@ -188,27 +188,27 @@ std::vector<FixedLine> Registration::fixed_lines(const ReferencePlanes& planes) 
   std::vector<FixedLine> fixed;
   for (std::size_t line = 0; line < poses_.size(); ++line) {
     if (!is_fixed_[line] || !is_placed_[line]) continue;
-    const PoseBelief belief{*in_world(T_map_world_, poses_[line].T_map_base), Matrix6::Zero()};
-    fixed.push_back({belief.T_world_base, planes.sightings(sights_[line], belief)});
+    const PoseBelief belief{*in_world(T_map_model_, poses_[line].T_map_base), Matrix6::Zero()};
+    fixed.push_back({belief.T_model_base, planes.sightings(sights_[line], belief)});
   }
   return fixed;
 }
 
-void Registration::find_planes_near(const Evidence& evidence, ReferencePlanes& planes) {
+void Registration::find_planes_near(const Observations& observations, ReferencePlanes& planes) {
   std::size_t ribbon = 0;
   for (std::vector<Sight>& sights : sights_) {
-    for (Sight& sight : sights) planes.find_near(evidence.ribbon(ribbon++), sight);
+    for (Sight& sight : sights) planes.find_near(observations.ribbon(ribbon++), sight);
   }
 }
 
 void Registration::evaluate_planes_and_poses() {
-  const std::vector<StrayPoints> no_strays;
+  const std::vector<UnassignedPoints> no_unassigned;
   for (int round = 0; round < rounds; ++round) {
     poses_ = next_poses_;
-    const Evidence evidence(ribbons_, no_strays, poses_);
-    T_map_world_ = evidence.T_map_world();
-    ReferencePlanes reference(evidence, is_placed_, witness_, config_);
-    find_planes_near(evidence, reference);
+    const Observations observations(ribbons_, no_unassigned, poses_);
+    T_map_model_ = observations.T_map_model();
+    ReferencePlanes reference(observations, is_placed_, witness_, config_);
+    find_planes_near(observations, reference);
     std::vector<LineChain> chains;
     for (const Span& span : spans_) chains.push_back(register_span(span, reference));
     const std::vector<FixedLine> fixed = fixed_lines(reference);
@@ -221,7 +221,7 @@ void Registration::evaluate_planes_and_poses() {
 
 void Registration::take_over(const LineChain& chain, const Span& span) {
   for (std::uint32_t i = 0; i < span.lines(); ++i) {
-    next_poses_[span.first_line + i].T_map_base = T_map_world_ * chain.lines[i].T_world_base;
+    next_poses_[span.first_line + i].T_map_base = T_map_model_ * chain.lines[i].T_model_base;
   }
 }
 
@@ -231,7 +231,7 @@ std::vector<StampedPose> registered_poses(const std::vector<Ribbon>& ribbons,
                                           const Trajectory& trajectory,
                                           const PlaneMapConfig& config, double range_sigma_m) {
   std::vector<Span> spans = spans_between(trajectory.recorded(), trajectory.corrected());
-  if (most_lines_of_bridge(spans) <= lines_of_ribbon) return {};
+  if (max_lines_of_bridge(spans) <= lines_of_ribbon) return {};
   Registration registration(ribbons, trajectory, std::move(spans), config, range_sigma_m);
   if (!registration.is_needed()) return {};
   registration.evaluate_planes_and_poses();

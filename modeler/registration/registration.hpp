@@ -4,9 +4,9 @@
 
 #include <vector>
 
-#include "modeler/map/plane_map_config.hpp"
-#include "modeler/map/trajectory.hpp"
+#include "modeler/association/association_config.hpp"
 #include "modeler/ribbon/ribbon.hpp"
+#include "modeler/trajectory/trajectory.hpp"
 
 namespace ribbon_mapper {
 

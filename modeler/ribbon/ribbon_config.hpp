@@ -22,7 +22,7 @@ struct RibbonConfig {
   double area_cap_m2 = 0.01;
 
   /// Least area of the surfels of an orientation cluster [m2].
-  double least_cluster_area_m2 = 0.003;
+  double min_cluster_area_m2 = 0.003;
 
   /// Clusters are split where the distances from the sensor's origin leave a gap of this [m].
   double distance_gap_m = 0.06;
@@ -30,18 +30,18 @@ struct RibbonConfig {
   /// Points this many range_sigma_m from a ribbon's plane do not belong to it.
   double outlier_sigmas = 2.5;
 
-  /// A ribbon's middle line may lie this many standard errors (plus bevel_slack_m) off the plane of
-  /// all three lines: more, and the lines straddle an edge.
-  double bevel_sigmas = 4.0;
-  double bevel_slack_m = 0.002;
+  /// A ribbon's middle line may lie this many standard errors (plus spurious_slack_m) off the plane
+  /// of all three lines: more, and the lines straddle an edge.
+  double spurious_sigmas = 4.0;
+  double spurious_slack_m = 0.002;
 
   /// Least angle between a ribbon's plane and the beam to its middle [deg]: mixed pixels between
   /// two depths make veils that lie along the beams. A floor is seen at 4 degrees from 15 m.
-  double least_incidence_deg = 4.0;
+  double min_grazing_angle_deg = 4.0;
 
   /// Least length [m] and number of points of a ribbon.
-  double least_length_m = 0.10;
-  int least_points = 6;
+  double min_length_m = 0.10;
+  int min_points = 6;
 
   /// Points of a ribbon are kept for the cells as means over this length [m]: half of a cell. Over
   /// a whole one, small planes lose up to a tenth of their seen area.

@@ -20,7 +20,7 @@ Moments three_lines(const LineBuffer& buffer, std::size_t begin, std::size_t end
 /// Beams that a run's plane is estimated from: a short run's middle lends its neighbourhood. Empty
 /// if it has none.
 Neighbourhood support_of(const LineBuffer& buffer, Neighbourhood run, const RibbonConfig& config) {
-  if (run.size() >= 2 * static_cast<std::size_t>(config.least_points)) return run;
+  if (run.size() >= 2 * static_cast<std::size_t>(config.min_points)) return run;
   const Neighbourhood around =
       neighbourhood_of(buffer, (run.begin + run.end) / 2, config.neighbourhood_m);
   if (around.size() == 0) return {};
@@ -119,7 +119,7 @@ bool RibbonExtraction::straddles_an_edge(const LineBuffer& buffer, const Run& co
   const Moments middle = buffer.middle().moments(core.begin, core.end);
   const double offset = std::abs(plane.normal().dot(middle.mean() - plane.mean));
   const double standard_error = std::sqrt(plane.variances[0] * 1.5 / middle.weight());
-  return offset > config_.bevel_sigmas * standard_error + config_.bevel_slack_m;
+  return offset > config_.spurious_sigmas * standard_error + config_.spurious_slack_m;
 }
 
 void RibbonExtraction::make_ribbon(const LineBuffer& buffer, const Run& run, PointStore& store) {
@@ -132,18 +132,18 @@ void RibbonExtraction::make_ribbon(const LineBuffer& buffer, const Run& run, Poi
   const double noise = config_.outlier_sigmas * scan_.range_sigma_m;
   if (plane.variances[0] > noise * noise || straddles_an_edge(buffer, core, plane)) return;
   core = grow(line, core, plane);
-  if (core.end < core.begin + static_cast<std::size_t>(config_.least_points)) return;
+  if (core.end < core.begin + static_cast<std::size_t>(config_.min_points)) return;
 
   const std::size_t centre = (core.begin + core.end) / 2;
   const double incidence = std::abs(plane.normal().dot(line.directions[centre]));
-  if (incidence < std::sin(config_.least_incidence_deg * degree)) return;
+  if (incidence < std::sin(config_.min_grazing_angle_deg * degree)) return;
 
   const Pose T_base_odom = line.T_odom_base.inverse(Eigen::Isometry);
   Ribbon ribbon;
   ribbon.first_beam = static_cast<std::uint32_t>(core.begin);
   ribbon.last_beam = static_cast<std::uint32_t>(core.end - 1);
   const Eigen::Vector3d chord = line.points[core.end - 1] - line.points[core.begin];
-  if (chord.norm() < config_.least_length_m) return;
+  if (chord.norm() < config_.min_length_m) return;
   const Eigen::Vector3d normal = side_of(line, core.begin, plane) * plane.normal();
   const Eigen::Vector3d along = (chord - normal.dot(chord) * normal).normalized();
   ribbon.normal = (T_base_odom.linear() * normal).cast<float>();
@@ -180,46 +180,49 @@ RibbonSamples RibbonExtraction::samples_of(const ScanLine& line, const Run& run,
   return samples;
 }
 
-void RibbonExtraction::collect_strays(const ScanLine& line) {
-  strays_.clear();
-  const auto is_stray = [&](std::size_t beam) { return line.has_return(beam) && !taken_[beam]; };
+void RibbonExtraction::collect_unassigned(const ScanLine& line) {
+  unassigned_.clear();
+  const auto is_unassigned = [&](std::size_t beam) {
+    return line.has_return(beam) && !taken_[beam];
+  };
   for (std::size_t begin = 0; begin < line.size(); ++begin) {
-    if (!is_stray(begin)) continue;
+    if (!is_unassigned(begin)) continue;
     std::size_t run_end = begin + 1;
-    while (run_end < line.end_of_segment[begin] && is_stray(run_end)) ++run_end;
+    while (run_end < line.end_of_segment[begin] && is_unassigned(run_end)) ++run_end;
     for_each_stretch(
         line, begin, run_end, config_.sample_length_m, [&](std::size_t first, std::size_t end) {
-          strays_.push_back({line.moments(first, end).mean() - sensor_origin_, end - first});
+          unassigned_.push_back({line.moments(first, end).mean() - sensor_origin_, end - first});
         });
     begin = run_end - 1;
   }
 }
 
-StrayPoints RibbonExtraction::strays(const LineBuffer& buffer, PointStore& store) {
+UnassignedPoints RibbonExtraction::unassigned(const LineBuffer& buffer, PointStore& store) {
   const ScanLine& line = buffer.middle();
-  collect_strays(line);
+  collect_unassigned(line);
   const Pose T_base_odom = line.T_odom_base.inverse(Eigen::Isometry);
-  StrayPoints strays;
-  strays.sensor = (T_base_odom * sensor_origin_).cast<float>();
-  double most_m = 0.0;
-  for (const Stray& stray : strays_) {
-    most_m = std::max(most_m, stray.from_sensor.cwiseAbs().sum());  // more than any of its turns
+  UnassignedPoints unassigned;
+  unassigned.sensor = (T_base_odom * sensor_origin_).cast<float>();
+  double max_m = 0.0;
+  for (const Stray& stray : unassigned_) {
+    max_m = std::max(max_m, stray.from_sensor.cwiseAbs().sum());  // more than any of its turns
   }
-  strays.step_m = std::max(strays.step_m, static_cast<float>(most_m / StrayPoints::most_steps));
-  packed_strays_.clear();
-  for (const Stray& stray : strays_) {
-    const Eigen::Vector3d steps = T_base_odom.linear() * stray.from_sensor / strays.step_m;
+  unassigned.step_m =
+      std::max(unassigned.step_m, static_cast<float>(max_m / UnassignedPoints::max_steps));
+  packed_unassigned_.clear();
+  for (const Stray& stray : unassigned_) {
+    const Eigen::Vector3d steps = T_base_odom.linear() * stray.from_sensor / unassigned.step_m;
     PackedPoint packed;
     for (int i = 0; i < 3; ++i) {
       packed.from_sensor[i] = static_cast<std::int16_t>(std::lround(steps[i]));
     }
     packed.count =
-        static_cast<std::uint16_t>(std::min<std::size_t>(stray.count, StrayPoints::most_count));
-    packed_strays_.push_back(packed);
+        static_cast<std::uint16_t>(std::min<std::size_t>(stray.count, UnassignedPoints::max_count));
+    packed_unassigned_.push_back(packed);
   }
-  strays.size = static_cast<std::uint32_t>(packed_strays_.size());
-  strays.first = store.strays.keep(packed_strays_.data(), packed_strays_.size());
-  return strays;
+  unassigned.size = static_cast<std::uint32_t>(packed_unassigned_.size());
+  unassigned.first = store.unassigned.keep(packed_unassigned_.data(), packed_unassigned_.size());
+  return unassigned;
 }
 
 }  // namespace ribbon_mapper

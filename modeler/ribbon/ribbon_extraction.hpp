@@ -7,16 +7,16 @@
 #include "modeler/ribbon/packed_store.hpp"
 #include "modeler/ribbon/ribbon.hpp"
 #include "modeler/ribbon/sample_packer.hpp"
-#include "modeler/ribbon/stray_points.hpp"
 #include "modeler/ribbon/surfel.hpp"
 #include "modeler/ribbon/surfel_clusters.hpp"
+#include "modeler/ribbon/unassigned_points.hpp"
 
 namespace ribbon_mapper {
 
 /// Where the samples of ribbons and the stray points are kept.
 struct PointStore {
   PackedStore<PackedSample> samples;
-  PackedStore<PackedPoint> strays;
+  PackedStore<PackedPoint> unassigned;
 };
 
 /// Section 4.2 on the three lines of a full buffer. Keeps its working memory from line to line, no
@@ -30,7 +30,7 @@ class RibbonExtraction {
   const std::vector<Ribbon>& extract(const LineBuffer& buffer, PointStore& store);
 
   /// What is left of that line.
-  StrayPoints strays(const LineBuffer& buffer, PointStore& store);
+  UnassignedPoints unassigned(const LineBuffer& buffer, PointStore& store);
 
  private:
   struct Run {
@@ -45,7 +45,7 @@ class RibbonExtraction {
   RibbonSamples samples_of(const ScanLine& line, const Run& run, const Eigen::Vector3d& centroid,
                            const Eigen::Vector3d& normal, const Eigen::Vector3d& along,
                            PointStore& store);
-  void collect_strays(const ScanLine& line);
+  void collect_unassigned(const ScanLine& line);
   bool straddles_an_edge(const LineBuffer& buffer, const Run& core, const PlaneFit& plane) const;
 
   ScanConfig scan_;
@@ -61,8 +61,8 @@ class RibbonExtraction {
     Eigen::Vector3d from_sensor;
     std::size_t count;
   };
-  std::vector<Stray> strays_;
-  std::vector<PackedPoint> packed_strays_;
+  std::vector<Stray> unassigned_;
+  std::vector<PackedPoint> packed_unassigned_;
 };
 
 }  // namespace ribbon_mapper

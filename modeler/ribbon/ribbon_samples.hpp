@@ -19,7 +19,7 @@ struct PackedSample {
 /// and turns bends the line that it draws on a far floor by a few centimetres: less than a cell.)
 struct RibbonSamples {
   static constexpr float along_step_m = 0.005F;
-  static constexpr int most_advance = 255, most_count = 255, most_height = 127;
+  static constexpr int max_advance = 255, max_count = 255, max_height = 127;
 
   const PackedSample* first = nullptr;
   std::uint32_t size = 0;

@@ -8,7 +8,7 @@
 namespace ribbon_mapper {
 
 void SamplePacker::add(double along_m, double height_m, double square_m2, std::size_t count) {
-  constexpr std::size_t most = RibbonSamples::most_count;
+  constexpr std::size_t most = RibbonSamples::max_count;
   for (; count > most; count -= most) samples_.push_back({along_m, height_m, square_m2, most});
   samples_.push_back({along_m, height_m, square_m2, count});
 }
@@ -16,15 +16,15 @@ void SamplePacker::add(double along_m, double height_m, double square_m2, std::s
 RibbonSamples SamplePacker::pack() {
   RibbonSamples result;
   packed_.clear();
-  double most_height_m = 0.0, squares = 0.0, points = 0.0;
+  double max_height_m = 0.0, squares = 0.0, points = 0.0;
   for (const Sample& sample : samples_) {
-    most_height_m = std::max(most_height_m, std::abs(sample.height_m));
+    max_height_m = std::max(max_height_m, std::abs(sample.height_m));
     squares += sample.count * (sample.square_m2 - sample.height_m * sample.height_m);
     points += sample.count;
   }
   if (samples_.empty()) return result;
   result.start_m = static_cast<float>(samples_.front().along_m);
-  result.height_step_m = static_cast<float>(most_height_m / RibbonSamples::most_height);
+  result.height_step_m = static_cast<float>(max_height_m / RibbonSamples::max_height);
   result.variance_m2 = static_cast<float>(std::max(0.0, squares / points));
   long steps = 0;  // errors of rounding do not add up
   for (const Sample& sample : samples_) {
@@ -32,14 +32,14 @@ RibbonSamples SamplePacker::pack() {
         std::lround((sample.along_m - samples_.front().along_m) / RibbonSamples::along_step_m);
     long advance = std::max(0L, place - steps);
     steps += advance;
-    for (; advance > RibbonSamples::most_advance; advance -= RibbonSamples::most_advance) {
-      packed_.push_back({RibbonSamples::most_advance, 0, 0});
+    for (; advance > RibbonSamples::max_advance; advance -= RibbonSamples::max_advance) {
+      packed_.push_back({RibbonSamples::max_advance, 0, 0});
     }
-    const double height = most_height_m > 0.0 ? sample.height_m / result.height_step_m : 0.0;
+    const double height = max_height_m > 0.0 ? sample.height_m / result.height_step_m : 0.0;
     packed_.push_back(
         {static_cast<std::uint8_t>(advance), static_cast<std::uint8_t>(sample.count),
-         static_cast<std::int8_t>(std::lround(std::clamp(height, -1.0 * RibbonSamples::most_height,
-                                                         1.0 * RibbonSamples::most_height)))});
+         static_cast<std::int8_t>(std::lround(std::clamp(height, -1.0 * RibbonSamples::max_height,
+                                                         1.0 * RibbonSamples::max_height)))});
   }
   samples_.clear();
   result.first = packed_.data();

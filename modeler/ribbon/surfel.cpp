@@ -8,8 +8,8 @@
 namespace ribbon_mapper {
 namespace {
 
-constexpr std::int64_t least_half_width = 2;  // beams
-constexpr double most_half_width = 1e6;       // of beams that all lie on one spot
+constexpr std::int64_t min_half_width = 2;  // beams
+constexpr double max_half_width = 1e6;      // of beams that all lie on one spot
 
 /// The lines of a buffer, with what does not change from beam to beam.
 struct Lines {
@@ -28,8 +28,8 @@ Neighbourhood around(const Lines& lines, std::size_t beam, double half_length_m)
   if (!previous.has_return(beam) || !middle.has_return(beam) || !next.has_return(beam)) return {};
   const double spacing_m = middle.ranges_m[beam] * beam_spacing;
   const auto half = std::max<std::int64_t>(
-      least_half_width,
-      static_cast<std::int64_t>(std::min(half_length_m / spacing_m, most_half_width)));
+      min_half_width,
+      static_cast<std::int64_t>(std::min(half_length_m / spacing_m, max_half_width)));
   const auto here = static_cast<std::int64_t>(beam);
   const std::int64_t first_of_segments =
       std::max({previous.first_of_segment[beam], middle.first_of_segment[beam],
@@ -38,7 +38,7 @@ Neighbourhood around(const Lines& lines, std::size_t beam, double half_length_m)
       {previous.end_of_segment[beam], middle.end_of_segment[beam], next.end_of_segment[beam]});
   const std::int64_t begin = std::max(here - half, first_of_segments);
   const std::int64_t end = std::min(here + half + 1, end_of_segments);
-  if (end - begin < 2 * least_half_width) return {};
+  if (end - begin < 2 * min_half_width) return {};
   return {static_cast<std::size_t>(begin), static_cast<std::size_t>(end)};
 }
 

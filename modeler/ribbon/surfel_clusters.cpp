@@ -13,8 +13,8 @@ constexpr double nothing_m2 = 1e-9;  // what is left of a sum when all is withdr
 }  // namespace
 
 SurfelClusters::SurfelClusters(const RibbonConfig& config)
-    : least_cosine_(std::cos(config.cluster_angle_deg * degree)),
-      least_area_m2_(config.least_cluster_area_m2),
+    : min_cosine_(std::cos(config.cluster_angle_deg * degree)),
+      min_area_m2_(config.min_cluster_area_m2),
       grid_(config.grid_cell_deg),
       intervals_(config.distance_gap_m) {}
 
@@ -26,7 +26,7 @@ void SurfelClusters::classify(const std::vector<Surfel>& surfels,
   vote(surfels);
   double left_m2 = 0.0;
   for (const Vote& vote : votes_) left_m2 += vote.area_m2;
-  while (left_m2 > least_area_m2_ - nothing_m2) {
+  while (left_m2 > min_area_m2_ - nothing_m2) {
     const OrientationGrid::Peak peak = grid_.peak();
     if (peak.area_m2 <= nothing_m2) return;
     // The mean of all around it is better than the cell's.
@@ -35,7 +35,7 @@ void SurfelClusters::classify(const std::vector<Surfel>& surfels,
     const Orientation found = take_around(sum.normalized());
     if (members_.empty()) return;
     left_m2 -= found.area_m2;
-    if (found.area_m2 >= least_area_m2_) split_by_distance(surfels, found.normal, sensor_origin);
+    if (found.area_m2 >= min_area_m2_) split_by_distance(surfels, found.normal, sensor_origin);
   }
 }
 
@@ -52,7 +52,7 @@ void SurfelClusters::vote(const std::vector<Surfel>& surfels) {
 Eigen::Vector3d SurfelClusters::sum_around(const Eigen::Vector3d& normal) const {
   Eigen::Vector3d sum = Eigen::Vector3d::Zero();
   for (const Vote& vote : votes_) {
-    if (vote.normal.dot(normal) >= least_cosine_) sum += vote.area_m2 * vote.normal;
+    if (vote.normal.dot(normal) >= min_cosine_) sum += vote.area_m2 * vote.normal;
   }
   return sum;
 }
@@ -64,7 +64,7 @@ SurfelClusters::Orientation SurfelClusters::take_around(const Eigen::Vector3d& n
   double area_m2 = 0.0;
   std::size_t left = 0;
   for (const Vote& vote : votes_) {
-    if (vote.normal.dot(normal) < least_cosine_) {
+    if (vote.normal.dot(normal) < min_cosine_) {
       votes_[left++] = vote;
       continue;
     }

@@ -42,7 +42,7 @@ class SurfelClusters {
   void split_by_distance(const std::vector<Surfel>& surfels, const Eigen::Vector3d& normal,
                          const Eigen::Vector3d& sensor_origin);
 
-  double least_cosine_, least_area_m2_;
+  double min_cosine_, min_area_m2_;
   OrientationGrid grid_;
   std::vector<Vote> votes_;          // not yet in a cluster of one orientation
   std::vector<Vote> members_;        // of the present one

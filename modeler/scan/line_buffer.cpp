@@ -50,7 +50,7 @@ bool LineBuffer::advance() {
 
 /// A pooled line has less noise.
 bool LineBuffer::are_apart(const ScanLine& before, const ScanLine& line) const {
-  const auto pooled = static_cast<double>(std::min(before.pooled_lines, line.pooled_lines));
+  const auto pooled = static_cast<double>(std::min(before.averaged_lines, line.averaged_lines));
   return ribbon_mapper::base_line_m(before, line) >= base_line_m_ / std::sqrt(pooled);
 }
 

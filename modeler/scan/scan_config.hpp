@@ -15,8 +15,8 @@ struct ScanConfig {
   double direction_sigma_deg = 0.07;
 
   /// Ranges outside of [least, most] are no returns, whatever the driver allows [m].
-  double least_range_m = 0.3;
-  double most_range_m = 30.0;
+  double min_range_m = 0.3;
+  double max_range_m = 30.0;
 
   /// Returns on the robot itself are none: a column about the base frame's origin, so far to each
   /// side [m] and up to this height [m]; 0: no column. PR2: its footprint is a square of 0.65 m,
@@ -28,8 +28,8 @@ struct ScanConfig {
   /// Returns in mid-air between two depths are none: those from whose neighbours, one nearer and
   /// one further, both steps lie within this angle of the beam [deg]; 0: all are kept. What is lost
   /// are surfaces seen under a smaller angle, which give no ribbons anyway
-  /// (ribbon.least_incidence_deg).
-  double veil_angle_deg = 4.0;
+  /// (ribbon.min_grazing_angle_deg).
+  double mixed_pixel_angle_deg = 4.0;
 
   /// A line enters the buffer when its beams lie this many range_sigma_m from those of the line
   /// before it (median over the beams). Lines closer than that are pooled: the mean of n of them

@@ -139,21 +139,20 @@ class RobotBody {
 class ReturnLimits {
  public:
   ReturnLimits(const LaserBeams& beams, const ScanConfig& config)
-      : least_m_(std::max(beams.range_min_m, config.least_range_m)),
-        most_m_(std::min(beams.range_max_m, config.most_range_m)) {}
+      : min_m_(std::max(beams.range_min_m, config.min_range_m)),
+        max_m_(std::min(beams.range_max_m, config.max_range_m)) {}
 
   /// False for NaN; infinity counts as too far whatever the limits.
   bool hold(float range_m) const {
-    return range_m >= least_m_ && range_m <= most_m_ &&
-           range_m <= std::numeric_limits<float>::max();
+    return range_m >= min_m_ && range_m <= max_m_ && range_m <= std::numeric_limits<float>::max();
   }
 
  private:
-  double least_m_, most_m_;
+  double min_m_, max_m_;
 };
 
 /// Of three ranges side by side. The steps come first: few are large, which processors learn.
-inline bool is_veil(const float* r, const ReturnLimits& limits, double step_per_range) {
+inline bool is_mixed_pixel(const float* r, const ReturnLimits& limits, double step_per_range) {
   const double before = r[-1], range = r[0], after = r[1];
   const double to_it = range - before, from_it = after - range;
   return std::abs(to_it) > step_per_range * std::min(before, range) &&
@@ -164,13 +163,13 @@ inline bool is_veil(const float* r, const ReturnLimits& limits, double step_per_
 /// Ranges of the returns, 0 elsewhere.
 void take_returns(const LaserBeams& beams, const ScanConfig& config, ScanLine& line) {
   const ReturnLimits limits(beams, config);
-  const double veil_step = veil_step_per_range(beams, config);
+  const double mixed_pixel_step = mixed_pixel_step_per_range(beams, config);
   const float* ranges_m = beams.ranges_m.data();
   const std::size_t size = line.size();
   for (std::size_t i = 0; i < size; ++i) {
     const bool inner = i > 0 && i + 1 < size;
-    const bool lost =
-        !limits.hold(ranges_m[i]) || (inner && is_veil(ranges_m + i, limits, veil_step));
+    const bool lost = !limits.hold(ranges_m[i]) ||
+                      (inner && is_mixed_pixel(ranges_m + i, limits, mixed_pixel_step));
     line.ranges_m[i] = lost ? 0.0F : ranges_m[i];
   }
 }
@@ -206,15 +205,16 @@ void sum_up(ScanLine& line) {
 
 }  // namespace
 
-double veil_step_per_range(const LaserBeams& beams, const ScanConfig& config) {
-  if (config.veil_angle_deg <= 0.0) return std::numeric_limits<double>::infinity();
-  return std::sin(std::abs(beams.angle_increment_rad)) / std::tan(config.veil_angle_deg * degree);
+double mixed_pixel_step_per_range(const LaserBeams& beams, const ScanConfig& config) {
+  if (config.mixed_pixel_angle_deg <= 0.0) return std::numeric_limits<double>::infinity();
+  return std::sin(std::abs(beams.angle_increment_rad)) /
+         std::tan(config.mixed_pixel_angle_deg * degree);
 }
 
-bool is_veil(const LaserBeams& beams, std::size_t beam, const ScanConfig& config,
-             double step_per_range) {
+bool is_mixed_pixel(const LaserBeams& beams, std::size_t beam, const ScanConfig& config,
+                    double step_per_range) {
   return beam > 0 && beam + 1 < beams.ranges_m.size() &&
-         is_veil(beams.ranges_m.data() + beam, ReturnLimits(beams, config), step_per_range);
+         is_mixed_pixel(beams.ranges_m.data() + beam, ReturnLimits(beams, config), step_per_range);
 }
 
 bool is_return(float range_m, const LaserBeams& beams, const ScanConfig& config) {
@@ -250,7 +250,7 @@ void place_beams(const LaserBeams& beams, const LinePoses& poses, const ScanConf
   line.T_odom_base = interpolate(poses.T_odom_base_first, poses.T_odom_base_last, 0.5);
   line.half_increment_sine = std::sin(0.5 * std::abs(beams.angle_increment_rad));
   line.angle_increment_rad = beams.angle_increment_rad;
-  line.pooled_lines = 1;
+  line.averaged_lines = 1;
   resize(line, beams.ranges_m.size());
   take_returns(beams, config, line);
   place_returns(beams, motion, config, line);

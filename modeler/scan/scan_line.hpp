@@ -23,7 +23,7 @@ struct ScanLine {
   Pose T_odom_base = Pose::Identity();  ///< at the same time
   double angle_increment_rad = 0.0;
   double half_increment_sine = 0.0;                        ///< sin(dtheta / 2) of eq. 2
-  std::size_t pooled_lines = 1;                            ///< that this one is the mean of
+  std::size_t averaged_lines = 1;                          ///< that this one is the mean of
   Eigen::Vector3d first_origin = Eigen::Vector3d::Zero();  ///< of the first beam, odom
   Eigen::Vector3d origin_step = Eigen::Vector3d::Zero();   ///< from each beam's to the next one's
   std::vector<float> ranges_m;                             ///< 0: no return
@@ -45,13 +45,13 @@ struct ScanLine {
 /// True if a range is one: finite, within what the driver says, within what the preset allows.
 bool is_return(float range_m, const LaserBeams& beams, const ScanConfig& config);
 
-/// True if a return hangs in mid-air between two depths, see ScanConfig::veil_angle_deg.
-bool is_veil(const LaserBeams& beams, std::size_t beam, const ScanConfig& config,
-             double step_per_range);
+/// True if a return hangs in mid-air between two depths, see ScanConfig::mixed_pixel_angle_deg.
+bool is_mixed_pixel(const LaserBeams& beams, std::size_t beam, const ScanConfig& config,
+                    double step_per_range);
 
 /// Of beams that meet a surface under the veil angle, the step in range per metre of range: an
 /// angle below it makes a larger one. Infinite if veils are kept.
-double veil_step_per_range(const LaserBeams& beams, const ScanConfig& config);
+double mixed_pixel_step_per_range(const LaserBeams& beams, const ScanConfig& config);
 
 /// What is wrong with the beams or the poses of a line; nothing if they are usable.
 std::optional<std::string> defect_of(const LaserBeams& beams, const LinePoses& poses);

@@ -6,7 +6,7 @@
 
 namespace ribbon_mapper::sim {
 namespace {
-constexpr std::chrono::milliseconds kMostToCatchUp{100};
+constexpr std::chrono::milliseconds kMaxToCatchUp{100};
 constexpr double kWatch_s = 5.0;
 }  // namespace
 
@@ -18,10 +18,10 @@ void Pacer::wait_until(Time now) {
   now_ = now;
   const Clock::time_point wall = Clock::now();
   if (!start_) start_ = Moment{wall, now};
-  const auto due = start_->wall + std::chrono::duration_cast<Clock::duration>(
-                                      std::chrono::duration<double>(
-                                          to_seconds(now - start_->simulated) / rate_));
-  if (wall - due > kMostToCatchUp) start_ = Moment{wall - kMostToCatchUp, now};
+  const auto due = start_->wall +
+                   std::chrono::duration_cast<Clock::duration>(
+                       std::chrono::duration<double>(to_seconds(now - start_->simulated) / rate_));
+  if (wall - due > kMaxToCatchUp) start_ = Moment{wall - kMaxToCatchUp, now};
   std::this_thread::sleep_until(due);
 }
 

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "sim/ros/robot_messages.hpp"
 
-#include "modeler/ros/message_conversions.hpp"
-#include "sim/pr2.hpp"
+#include "modeler/ros/messages/message_conversions.hpp"
+#include "sim/robot/pr2.hpp"
 
 namespace ribbon_mapper::sim {
 
@@ -13,8 +13,9 @@ sensor_msgs::LaserScan scan_message(const Scan& scan, const ros::Time& stamp) {
   message.header.stamp = stamp;
   message.angle_min = static_cast<float>(scan.angle_min_rad);
   message.angle_increment = static_cast<float>(scan.angle_increment_rad);
-  message.angle_max = static_cast<float>(
-      scan.angle_min_rad + (static_cast<double>(scan.ranges_m.size()) - 1.0) * scan.angle_increment_rad);
+  message.angle_max =
+      static_cast<float>(scan.angle_min_rad + (static_cast<double>(scan.ranges_m.size()) - 1.0) *
+                                                  scan.angle_increment_rad);
   message.time_increment = static_cast<float>(scan.time_increment_s);
   message.scan_time = static_cast<float>(scan.scan_time_s);
   message.range_min = static_cast<float>(scan.range_min_m);

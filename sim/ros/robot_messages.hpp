@@ -10,8 +10,8 @@
 
 #include <string>
 
-#include "sim/hokuyo.hpp"
-#include "sim/route.hpp"
+#include "sim/robot/hokuyo.hpp"
+#include "sim/tour/route.hpp"
 
 namespace ribbon_mapper::sim {
 

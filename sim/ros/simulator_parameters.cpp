@@ -6,7 +6,7 @@
 #include <limits>
 #include <sstream>
 
-#include "modeler/ros/strict_parameters.hpp"
+#include "modeler/ros/node/strict_parameters.hpp"
 
 namespace ribbon_mapper::sim {
 namespace {
@@ -52,8 +52,8 @@ SimulatorParameters SimulatorParameters::read() {
   p.world = from.required_text("world", "an SDF file, such as worlds/apartment.sdf");
   p.route = from.required_text("route", "a YAML file, such as worlds/apartment.route.yaml");
   p.model_paths = split(from.text("model_path", gazebo_model_path()), ':');
-  p.tour.seed = static_cast<std::uint64_t>(
-      from.integer("seed", 1, 0, std::numeric_limits<int>::max()));
+  p.tour.seed =
+      static_cast<std::uint64_t>(from.integer("seed", 1, 0, std::numeric_limits<int>::max()));
   p.tour.localisation.drift = from.number("drift", 1.0, 0.0, 100.0);
   p.tour.hokuyo = read_hokuyo(from);
   p.tour.tilt = read_tilt(from);

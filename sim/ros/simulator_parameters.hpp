@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "sim/tour.hpp"
+#include "sim/tour/tour.hpp"
 
 namespace ribbon_mapper::sim {
 
@@ -22,7 +22,7 @@ struct SimulatorParameters {
   std::vector<std::string> model_paths;
   TourConfig tour;
   SimulatorFrames frames;
-  double rate;  ///< seconds of tour per second
+  double rate;                        ///< seconds of tour per second
   std::vector<std::string> wait_for;  ///< topics that need a subscriber before the tour starts
   double longest_wait_s;
 

@@ -5,14 +5,12 @@
 namespace ribbon_mapper::sim {
 
 TiltEcho::TiltEcho(ros::NodeHandle& node)
-    : tf_(node.subscribe("/tf", 1000, &TiltEcho::take, this,
-                         ros::TransportHints().tcpNoDelay())) {}
+    : tf_(node.subscribe("/tf", 1000, &TiltEcho::take, this, ros::TransportHints().tcpNoDelay())) {}
 
 bool TiltEcho::wait_for(const ros::Time& stamp) {
   std::unique_lock<std::mutex> lock(mutex_);
   if (newest_.isZero()) return true;
-  return changed_.wait_for(lock, std::chrono::milliseconds(100),
-                           [&] { return newest_ >= stamp; });
+  return changed_.wait_for(lock, std::chrono::milliseconds(100), [&] { return newest_ >= stamp; });
 }
 
 void TiltEcho::take(const tf2_msgs::TFMessage& message) {

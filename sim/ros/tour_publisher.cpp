@@ -9,7 +9,7 @@
 
 #include <algorithm>
 
-#include "modeler/ros/message_conversions.hpp"
+#include "modeler/ros/messages/message_conversions.hpp"
 #include "sim/ros/robot_messages.hpp"
 #include "sim/ros/truth_messages.hpp"
 
@@ -84,8 +84,8 @@ void TourPublisher::publish_base(Time now) {
   tf.transforms.push_back(stamped_transform(frames_.odom, frames_.base, T_odom_base, stamp));
   tf_.publish(tf);
   odometry_.publish(odometry_message(frames_.odom, frames_.base, T_odom_base, velocity, stamp));
-  true_pose_.publish(odometry_message(frames_.map, frames_.base, tour_.true_T_map_base(at),
-                                      velocity, stamp));
+  true_pose_.publish(
+      odometry_message(frames_.map, frames_.base, tour_.true_T_map_base(at), velocity, stamp));
 }
 
 void TourPublisher::publish_joints(Time now) {

@@ -11,8 +11,8 @@
 
 #include "sim/ros/simulator_parameters.hpp"
 #include "sim/ros/tilt_echo.hpp"
-#include "sim/tour.hpp"
-#include "sim/truth.hpp"
+#include "sim/tour/tour.hpp"
+#include "sim/truth/truth.hpp"
 
 namespace ribbon_mapper::sim {
 

@@ -9,7 +9,7 @@
 #include <cmath>
 #include <stdexcept>
 
-#include "modeler/ros/message_conversions.hpp"
+#include "modeler/ros/messages/message_conversions.hpp"
 #include "sim/ros/robot_messages.hpp"
 
 namespace ribbon_mapper::sim {

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "modeler/geometry/pose.hpp"
-#include "sim/tour.hpp"
+#include "sim/tour/tour.hpp"
 
 namespace ribbon_mapper::sim {
 

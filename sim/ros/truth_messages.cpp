@@ -4,7 +4,7 @@
 
 #include <Eigen/Geometry>
 
-#include "modeler/ros/message_conversions.hpp"
+#include "modeler/ros/messages/message_conversions.hpp"
 
 namespace ribbon_mapper::sim {
 namespace {

@@ -8,8 +8,8 @@
 
 #include <vector>
 
-#include "sim/truth.hpp"
-#include "sim/world.hpp"
+#include "sim/truth/truth.hpp"
+#include "sim/world/world.hpp"
 
 namespace ribbon_mapper::sim {
 

@@ -19,7 +19,7 @@ class Project(unittest.TestCase):
         self.assertEqual([], rooms.wrong_files(PROJECT))
 
     def test_there_is_something_to_check(self):
-        for room in ["modeler", "modeler/geometry", "modeler/map", "modeler/ros", "sim", "eval"]:
+        for room in ["modeler", "modeler/geometry", "modeler/surface", "modeler/ros/node", "sim/world", "eval/metrics"]:
             self.assertTrue(list((PROJECT / room).glob("*.hpp")), room)
 
 
@@ -42,9 +42,9 @@ class PlantedDefects(unittest.TestCase):
     def test_what_is_allowed(self):
         self.plant("modeler/scan/a.hpp", '#include <Eigen/Core>\n#include <vector>\n'
                    '#include "modeler/geometry/pose.hpp"\n#include "modeler/scan/b.hpp"\n')
-        self.plant("modeler/ros/a.cpp", '#include <ros/ros.h>\n#include "modeler/modeler.hpp"\n')
-        self.plant("sim/a.cpp", '#include "modeler/geometry/time.hpp"\n')
-        self.plant("bench/a/b/c.cpp", '#include "bench/d/e.hpp"\n#include "eval/patch.hpp"\n')
+        self.plant("modeler/ros/node/a.cpp", '#include <ros/ros.h>\n#include "modeler/modeler.hpp"\n')
+        self.plant("sim/world/a.cpp", '#include "modeler/geometry/time.hpp"\n')
+        self.plant("bench/a/b/c.cpp", '#include "bench/d/e.hpp"\n#include "eval/metrics/patch.hpp"\n')
         self.assertEqual([], rooms.wrong_includes(self.root))
         self.assertEqual([], rooms.wrong_files(self.root))
 
@@ -52,16 +52,16 @@ class PlantedDefects(unittest.TestCase):
         for name, target in [
                 ("modeler/geometry/a.cpp", '"modeler/scan/scan_line.hpp"'),
                 ("modeler/scan/a.hpp", '"modeler/ribbon/ribbon.hpp"'),
-                ("modeler/map/a.cpp", '"modeler/modeler.hpp"'),
-                ("modeler/map/a.cpp", '"modeler/io/ply.hpp"'),
-                ("modeler/io/a.cpp", '"modeler/ros/line_log.hpp"'),
-                ("modeler/ros/a.cpp", '"sim/world.hpp"'),
-                ("modeler/a.cpp", '"eval/patch.hpp"'),
-                ("sim/a.cpp", '"modeler/geometry/moments.hpp"'),
-                ("sim/a.cpp", '"modeler/scan/laser_beams.hpp"'),
-                ("sim/ros/a.cpp", '"modeler/ros/line_poses.hpp"'),
-                ("eval/a.cpp", '"eval/ros/tour_watch.hpp"'),
-                ("eval/a.cpp", '"bench/sections.hpp"'),
+                ("modeler/surface/a.cpp", '"modeler/modeler.hpp"'),
+                ("modeler/surface/a.cpp", '"modeler/io/ply.hpp"'),
+                ("modeler/io/a.cpp", '"modeler/ros/intake/line_log.hpp"'),
+                ("modeler/ros/node/a.cpp", '"sim/world/world.hpp"'),
+                ("modeler/a.cpp", '"eval/metrics/patch.hpp"'),
+                ("sim/world/a.cpp", '"modeler/geometry/moments.hpp"'),
+                ("sim/world/a.cpp", '"modeler/scan/laser_beams.hpp"'),
+                ("sim/ros/a.cpp", '"modeler/ros/intake/line_poses.hpp"'),
+                ("eval/metrics/a.cpp", '"eval/ros/tour_watch.hpp"'),
+                ("eval/metrics/a.cpp", '"bench/sections.hpp"'),
                 ("bench/a/b.cpp", '"sim/ros/pacer.hpp"')]:
             with self.subTest(name=name, target=target):
                 self.plant(name, f"  #  include {target}\n")
@@ -70,7 +70,7 @@ class PlantedDefects(unittest.TestCase):
 
     def test_ros_is_found_in_each_room_without_it(self):
         without = [room for room, row in rooms.ROOMS.items() if row.libraries is not rooms.ANY]
-        self.assertEqual(9, len(without))
+        self.assertEqual(22, len(without))
         for room in without:
             for target in ["ros/ros.h", "tf2/buffer_core.h", "tf2_ros/buffer.h", "rosbag/bag.h",
                            "sensor_msgs/LaserScan.h", "ribbon_mapper/Save.h", "pcl/io/pcd_io.h"]:
@@ -88,11 +88,11 @@ class PlantedDefects(unittest.TestCase):
         self.assert_one(rooms.wrong_files(self.root), "sim/utils")
 
     def test_a_long_file(self):
-        self.plant("eval/a.cpp", "\n" * 299)
-        self.assert_one(rooms.wrong_files(self.root), "eval/a.cpp", "301 lines")
+        self.plant("eval/metrics/a.cpp", "\n" * 299)
+        self.assert_one(rooms.wrong_files(self.root), "eval/metrics/a.cpp", "301 lines")
 
     def test_a_long_function(self):
-        self.plant("eval/a.cpp", "int f(int a,\n      int b) {\n" + "  ++a;\n" * 40 + "}\n")
+        self.plant("eval/metrics/a.cpp", "int f(int a,\n      int b) {\n" + "  ++a;\n" * 40 + "}\n")
         self.assert_one(rooms.wrong_files(self.root), "eval/a.cpp:3", "43 lines")
 
     def test_a_file_without_licence(self):

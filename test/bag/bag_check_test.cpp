@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 ribbon_mapper authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "modeler/bag/bag_check.hpp"
+#include "modeler/ros/bag_check/bag_check.hpp"
 
 #include <gmock/gmock.h>
 #include <rosbag/bag.h>

@@ -1,13 +1,13 @@
 // SPDX-FileCopyrightText: 2026 ribbon_mapper authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "modeler/bag/bag_lines.hpp"
+#include "modeler/ros/bag/bag_lines.hpp"
 
 #include <gmock/gmock.h>
 
 #include <limits>
 
 #include "modeler/modeler.hpp"
-#include "modeler/ros/message_conversions.hpp"
+#include "modeler/ros/messages/message_conversions.hpp"
 #include "test/bag/wall_bag.hpp"
 #include "test/io/temporary_directory.hpp"
 

@@ -6,15 +6,15 @@
 #include <cmath>
 #include <fstream>
 
-#include "eval/model_quality.hpp"
-#include "eval/ros/offline_run.hpp"
-#include "modeler/bag/time_offset.hpp"
+#include "modeler/assembly/model_quality.hpp"
 #include "modeler/io/config_file.hpp"
 #include "modeler/io/tum.hpp"
+#include "modeler/ros/bag_check/time_offset.hpp"
+#include "modeler/ros/offline/offline_run.hpp"
 #include "sim/ros/tour_recorder.hpp"
 #include "test/io/temporary_directory.hpp"
 
-namespace ribbon_mapper::eval {
+namespace ribbon_mapper {
 namespace {
 
 namespace fs = std::filesystem;
@@ -180,4 +180,4 @@ TEST(RealRecordings, Room240) {
 }
 
 }  // namespace
-}  // namespace ribbon_mapper::eval
+}  // namespace ribbon_mapper

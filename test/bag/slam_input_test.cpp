@@ -3,13 +3,13 @@
 #include <gmock/gmock.h>
 #include <nav_msgs/Path.h>
 
-#include "modeler/ros/input_watch.hpp"
-#include "modeler/ros/message_conversions.hpp"
-#include "modeler/ros/rtabmap_graph.hpp"
-#include "modeler/ros/tf_history.hpp"
-#include "modeler/ros/time_jump.hpp"
-#include "modeler/ros/transform_entry.hpp"
-#include "modeler/ros/wire_reader.hpp"
+#include "modeler/ros/intake/input_watch.hpp"
+#include "modeler/ros/intake/time_jump.hpp"
+#include "modeler/ros/messages/message_conversions.hpp"
+#include "modeler/ros/messages/transform_entry.hpp"
+#include "modeler/ros/slam_adapter/rtabmap_graph.hpp"
+#include "modeler/ros/slam_adapter/tf_history.hpp"
+#include "modeler/ros/slam_adapter/wire_reader.hpp"
 
 namespace ribbon_mapper {
 namespace {

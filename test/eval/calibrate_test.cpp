@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 ribbon_mapper authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "eval/calibrate.hpp"
+#include "eval/experiment/calibrate.hpp"
 
 #include <gmock/gmock.h>
 
@@ -69,7 +69,7 @@ TEST(CalibratedPreset, IsLoadedWithEveryKey) {
   const TemporaryDirectory directory;
   const auto path = directory.path() / "calibrated.yaml";
   ModelerConfig config;
-  config.ribbon.least_points = 9;
+  config.ribbon.min_points = 9;
   config.scan.deskew = false;
   write_content(path, calibrated_preset(config, learned(), "a bag\nwith: lines"));
   const ModelerConfig loaded = load_config(path.string());
@@ -77,7 +77,7 @@ TEST(CalibratedPreset, IsLoadedWithEveryKey) {
   EXPECT_EQ(loaded.map.slam.distance_m, 0.193);
   EXPECT_EQ(loaded.map.corrected.distance_m, 0.2);
   EXPECT_EQ(loaded.map.corrected.angle_deg, config.map.corrected.angle_deg) << "never narrower";
-  EXPECT_EQ(loaded.ribbon.least_points, 9);
+  EXPECT_EQ(loaded.ribbon.min_points, 9);
   EXPECT_FALSE(loaded.scan.deskew);
 }
 

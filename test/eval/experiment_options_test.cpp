@@ -1,13 +1,13 @@
 // SPDX-FileCopyrightText: 2026 ribbon_mapper authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "eval/experiment_options.hpp"
+#include "eval/experiment/experiment_options.hpp"
 
 #include <gmock/gmock.h>
 
 #include <filesystem>
 #include <set>
 
-#include "eval/share.hpp"
+#include "modeler/program/installed_files.hpp"
 
 namespace ribbon_mapper::eval {
 namespace {
@@ -35,10 +35,10 @@ TEST(ExperimentOptions, WithoutAnyItIsTheApartment) {
 
 TEST(ExperimentOptions, AllAreTaken) {
   const auto options = std::get<ExperimentOptions>(parsed(
-      {"--world",  "w.sdf", "--route", "r.yaml", "--seed",     "4",  "--drift",      "0.5",
-       "--output", "out",   "--config", "c.yaml", "--model-path", "m1", "--model-path", "m2",
-       "--noise",  "gazebo", "--tilt",  "nav",    "--jobs",     "2",  "--no-figure",  "--line",
-       "--beams",  "720",   "--speed",  "0.6",    "--deskew",   "off"}));
+      {"--world",  "w.sdf",  "--route",  "r.yaml", "--seed",       "4",  "--drift",      "0.5",
+       "--output", "out",    "--config", "c.yaml", "--model-path", "m1", "--model-path", "m2",
+       "--noise",  "gazebo", "--tilt",   "nav",    "--jobs",       "2",  "--no-figure",  "--line",
+       "--beams",  "720",    "--speed",  "0.6",    "--deskew",     "off"}));
   ASSERT_THAT(options.runs, SizeIs(1));
   const RunOptions& run = options.runs.front();
   EXPECT_EQ(route_path(run), "r.yaml");
@@ -81,25 +81,24 @@ TEST_P(WrongUsage, IsExplainedAndEndsWithTwo) {
   EXPECT_EQ(std::get<int>(result), 2);
 }
 
-INSTANTIATE_TEST_SUITE_P(ExperimentOptions, WrongUsage,
-                         testing::Values(std::pair(Arguments{"--wrold", "x"}, "--wrold"),
-                                         std::pair(Arguments{"--drift", "-1"}, "--drift"),
-                                         std::pair(Arguments{"--drift", "x"}, "--drift"),
-                                         std::pair(Arguments{"--drift", "nan"}, "--drift"),
-                                         std::pair(Arguments{"--seed", "-3"}, "--seed"),
-                                         std::pair(Arguments{"--seed", "1", "--seeds", "1-3"},
-                                                   "--seeds"),
-                                         std::pair(Arguments{"--seeds", "5-1"}, "1-20"),
-                                         std::pair(Arguments{"--jobs", "0"}, "--jobs"),
-                                         std::pair(Arguments{"--noise", "loud"}, "datasheet"),
-                                         std::pair(Arguments{"--tilt", "wild"}, "manip"),
-                                         std::pair(Arguments{"--tilt", "nav,wild"}, "manip"),
-                                         std::pair(Arguments{"--drift", "1,-1"}, "--drift"),
-                                         std::pair(Arguments{"--beams", "1081"}, "--beams"),
-                                         std::pair(Arguments{"--speed", "0"}, "--speed"),
-                                         std::pair(Arguments{"--deskew", "maybe"}, "--deskew"),
-                                         std::pair(Arguments{"--world", "a,b", "--route", "r"},
-                                                   "--route")));
+INSTANTIATE_TEST_SUITE_P(
+    ExperimentOptions, WrongUsage,
+    testing::Values(std::pair(Arguments{"--wrold", "x"}, "--wrold"),
+                    std::pair(Arguments{"--drift", "-1"}, "--drift"),
+                    std::pair(Arguments{"--drift", "x"}, "--drift"),
+                    std::pair(Arguments{"--drift", "nan"}, "--drift"),
+                    std::pair(Arguments{"--seed", "-3"}, "--seed"),
+                    std::pair(Arguments{"--seed", "1", "--seeds", "1-3"}, "--seeds"),
+                    std::pair(Arguments{"--seeds", "5-1"}, "1-20"),
+                    std::pair(Arguments{"--jobs", "0"}, "--jobs"),
+                    std::pair(Arguments{"--noise", "loud"}, "datasheet"),
+                    std::pair(Arguments{"--tilt", "wild"}, "manip"),
+                    std::pair(Arguments{"--tilt", "nav,wild"}, "manip"),
+                    std::pair(Arguments{"--drift", "1,-1"}, "--drift"),
+                    std::pair(Arguments{"--beams", "1081"}, "--beams"),
+                    std::pair(Arguments{"--speed", "0"}, "--speed"),
+                    std::pair(Arguments{"--deskew", "maybe"}, "--deskew"),
+                    std::pair(Arguments{"--world", "a,b", "--route", "r"}, "--route")));
 
 TEST(ExperimentOptions, HelpEndsWithZero) {
   testing::internal::CaptureStdout();

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 ribbon_mapper authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "eval/patch.hpp"
+#include "eval/metrics/patch.hpp"
 
 #include <gmock/gmock.h>
 

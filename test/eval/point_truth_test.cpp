@@ -1,11 +1,11 @@
 // SPDX-FileCopyrightText: 2026 ribbon_mapper authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "eval/point_truth.hpp"
+#include "eval/metrics/point_truth.hpp"
 
 #include <gmock/gmock.h>
 
-#include "eval/lines.hpp"
-#include "eval/run.hpp"
+#include "eval/experiment/lines.hpp"
+#include "eval/experiment/run.hpp"
 
 namespace ribbon_mapper::eval {
 namespace {
@@ -29,7 +29,7 @@ struct RoomTour {
     }
     true_planes = collector.planes();
     truth.settle(true_planes);
-    planes = modeler.merged_planes();
+    planes = modeler.planes();
   }
 
   /// Points of the ribbons of a plane on the faces of a true plane.

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 ribbon_mapper authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "eval/results.hpp"
+#include "eval/results/results.hpp"
 
 #include <gmock/gmock.h>
 
@@ -16,13 +16,13 @@ TEST(Results, EachCellIsComparedWithTheTruth) {
   Results results = sample_results();
   evaluate(results);
   const FourCells& cells = results.summary.cells;
-  EXPECT_EQ(cells.noisy_raw.planes, 3U);
-  EXPECT_EQ(cells.noisy_raw.matched, 1U);
-  EXPECT_EQ(cells.noisy_raw.duplicates.size(), 1U);
-  EXPECT_EQ(cells.noisy_raw.extra.size(), 1U);
-  EXPECT_EQ(cells.noisy_merged.planes, 2U);
-  EXPECT_EQ(cells.corrected_raw.planes, 1U);
-  EXPECT_EQ(cells.corrected_merged.f1, 1.0);
+  EXPECT_EQ(cells.noisy_as_built.planes, 3U);
+  EXPECT_EQ(cells.noisy_as_built.matched, 1U);
+  EXPECT_EQ(cells.noisy_as_built.duplicates.size(), 1U);
+  EXPECT_EQ(cells.noisy_as_built.extra.size(), 1U);
+  EXPECT_EQ(cells.noisy.planes, 2U);
+  EXPECT_EQ(cells.corrected_as_built.planes, 1U);
+  EXPECT_EQ(cells.corrected.f1, 1.0);
 }
 
 TEST(Results, EndDriftIsThatOfTheLastPoseInItsOwnFrame) {
@@ -38,7 +38,7 @@ TEST(Results, WritesTheFilesOfTheDemo) {
   evaluate(results);
   write_results(results, directory.path() / "run");
   for (const char* name :
-       {"summary.json", "planes_before.json", "planes_before_merged.json", "planes_after.json",
+       {"summary.json", "planes_before.json", "planes_noisy.json", "planes_after.json",
         "planes_after.ply", "planes_after_cells.ply", "planes_after.bt", "planes_truth.json",
         "trajectory_before.tum", "trajectory_after.tum", "trajectory_truth.tum", "figure.json"}) {
     EXPECT_TRUE(std::filesystem::exists(directory.path() / "run" / name)) << name;
@@ -47,7 +47,7 @@ TEST(Results, WritesTheFilesOfTheDemo) {
     return nlohmann::json::parse(content_of(directory.path() / "run" / name)).at("planes").size();
   };
   EXPECT_EQ(planes("planes_before.json"), 3U);
-  EXPECT_EQ(planes("planes_before_merged.json"), 2U);
+  EXPECT_EQ(planes("planes_noisy.json"), 2U);
   EXPECT_EQ(planes("planes_after.json"), 1U);
   EXPECT_EQ(planes("planes_truth.json"), 1U);
 }
@@ -55,7 +55,7 @@ TEST(Results, WritesTheFilesOfTheDemo) {
 TEST(Results, PlanesWithoutOutlineGetOne) {
   const TemporaryDirectory directory;
   Results results = sample_results();
-  for (Plane& plane : results.models.noisy_raw) plane.outline.clear();
+  for (Plane& plane : results.models.noisy_as_built) plane.outline.clear();
   write_results(results, directory.path());
   const auto json = nlohmann::json::parse(content_of(directory.path() / "planes_before.json"));
   for (const auto& plane : json.at("planes")) EXPECT_GE(plane.at("outline").size(), 4U);

@@ -1,10 +1,10 @@
 // SPDX-FileCopyrightText: 2026 ribbon_mapper authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "eval/run_log.hpp"
+#include "eval/results/run_log.hpp"
 
 #include <gmock/gmock.h>
 
-#include "eval/summary.hpp"
+#include "eval/results/summary.hpp"
 #include "test/io/temporary_directory.hpp"
 
 namespace ribbon_mapper::eval {
@@ -40,7 +40,7 @@ TEST_F(Log, ALineTellsItsRunAndItsFigures) {
   EXPECT_FALSE(comes_before(record.run, recorded(options)));
   EXPECT_FALSE(comes_before(recorded(options), record.run));
   EXPECT_EQ(record.figures.at("lines"), 7.0);
-  EXPECT_EQ(record.figures.at("four_cells.noisy_raw.planes"), 0.0);
+  EXPECT_EQ(record.figures.at("four_cells.noisy_as_built.planes"), 0.0);
   EXPECT_EQ(record.figures.count("seed"), 0U);
   EXPECT_EQ(record.figures.count("angle_error_deg_mean"), 0U) << "null";
 }

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 ribbon_mapper authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "eval/run_options.hpp"
+#include "eval/experiment/run_options.hpp"
 
 #include <gmock/gmock.h>
 

@@ -1,10 +1,10 @@
 // SPDX-FileCopyrightText: 2026 ribbon_mapper authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "eval/run.hpp"
+#include "eval/experiment/run.hpp"
 
 #include <gmock/gmock.h>
 
-#include "sim/hokuyo.hpp"
+#include "sim/robot/hokuyo.hpp"
 
 namespace ribbon_mapper::eval {
 namespace {

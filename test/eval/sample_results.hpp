@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "eval/results.hpp"
+#include "eval/results/results.hpp"
 
 namespace ribbon_mapper::eval {
 

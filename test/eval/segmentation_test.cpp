@@ -5,9 +5,9 @@
 #include <algorithm>
 #include <random>
 
-#include "eval/duplication.hpp"
-#include "eval/evops.hpp"
-#include "eval/segcomp.hpp"
+#include "eval/metrics/duplication.hpp"
+#include "eval/metrics/evops.hpp"
+#include "eval/metrics/segcomp.hpp"
 #include "test/eval/slow_segmentation.hpp"
 
 namespace ribbon_mapper::eval {
@@ -151,10 +151,13 @@ struct Labelling {
 };
 
 Labelling random_labelling(std::mt19937& random) {
-  const auto any = [&](int count) { return static_cast<int>(random() % static_cast<unsigned>(count)); };
+  const auto any = [&](int count) {
+    return static_cast<int>(random() % static_cast<unsigned>(count));
+  };
   const int truth = 1 + any(5), estimates = 1 + any(5);
-  Labelling labelling{Regions(truth), Regions(estimates),
-                      Overlaps(static_cast<std::size_t>(truth), static_cast<std::size_t>(estimates))};
+  Labelling labelling{
+      Regions(truth), Regions(estimates),
+      Overlaps(static_cast<std::size_t>(truth), static_cast<std::size_t>(estimates))};
   const int blocks = 1 + any(8);
   int point = 0;
   for (int block = 0; block < blocks; ++block) {

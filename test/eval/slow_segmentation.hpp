@@ -7,8 +7,8 @@
 #include <string>
 #include <vector>
 
-#include "eval/evops.hpp"
-#include "eval/segcomp.hpp"
+#include "eval/metrics/evops.hpp"
+#include "eval/metrics/segcomp.hpp"
 
 namespace ribbon_mapper::eval {
 

@@ -1,12 +1,12 @@
 // SPDX-FileCopyrightText: 2026 ribbon_mapper authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "eval/spread.hpp"
+#include "eval/results/spread.hpp"
 
 #include <gmock/gmock.h>
 
 #include <nlohmann/json.hpp>
 
-#include "eval/summary.hpp"
+#include "eval/results/summary.hpp"
 
 namespace ribbon_mapper::eval {
 namespace {
@@ -17,24 +17,27 @@ Record run(std::uint64_t seed, std::size_t noisy_planes, double drift = 1.0) {
   Summary summary;
   summary.run.seed = seed;
   summary.run.drift = drift;
-  summary.cells.noisy_raw.planes = noisy_planes;
-  summary.cells.corrected_merged.angle_error_deg_mean = 0.1 * static_cast<double>(seed);
+  summary.cells.noisy_as_built.planes = noisy_planes;
+  summary.cells.corrected.angle_error_deg_mean = 0.1 * static_cast<double>(seed);
   return record_of(run_line(summary, ""));
 }
 
 nlohmann::json spread(const std::vector<Record>& runs, const char* key) {
   return nlohmann::json::parse(sweep_summary_to_json(runs, ""))
-      .at("groups").at(0).at("spread").at(key);
+      .at("groups")
+      .at(0)
+      .at("spread")
+      .at(key);
 }
 
 TEST(Spread, MediansAndQuartiles) {
-  const auto figures = spread({run(1, 130), run(2, 90), run(3, 110)}, "planes_noisy_raw");
+  const auto figures = spread({run(1, 130), run(2, 90), run(3, 110)}, "planes_noisy_as_built");
   EXPECT_EQ(figures.at("least"), 90);
   EXPECT_EQ(figures.at("lower_quartile"), 100);
   EXPECT_EQ(figures.at("median"), 110);
   EXPECT_EQ(figures.at("upper_quartile"), 120);
   EXPECT_EQ(figures.at("most"), 130);
-  EXPECT_EQ(spread({run(1, 1), run(2, 4)}, "four_cells.noisy_raw.planes").at("median"), 2.5);
+  EXPECT_EQ(spread({run(1, 1), run(2, 4)}, "four_cells.noisy_as_built.planes").at("median"), 2.5);
 }
 
 TEST(Spread, ARunWithoutAMatchDoesNotCountAsZero) {
@@ -58,7 +61,7 @@ TEST(Spread, RunsOfLikeConditionsAreAGroup) {
   ASSERT_EQ(json.at("groups").size(), 2U);
   EXPECT_EQ(json.at("groups").at(0).at("drift"), 0.5);
   EXPECT_EQ(json.at("groups").at(0).at("runs"), 2);
-  EXPECT_EQ(json.at("groups").at(1).at("spread").at("planes_noisy_raw").at("median"), 40);
+  EXPECT_EQ(json.at("groups").at(1).at("spread").at("planes_noisy_as_built").at("median"), 40);
   EXPECT_THAT(spread_foot(runs, 20), HasSubstr("drift 0.5, 2 runs\n"));
 }
 

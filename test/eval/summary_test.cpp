@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 ribbon_mapper authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "eval/summary.hpp"
+#include "eval/results/summary.hpp"
 
 #include <gmock/gmock.h>
 
@@ -31,7 +31,7 @@ Summary sample() {
   s.dropped_lines = 3;
   s.ribbons = 80000;
   s.cells = {metrics_with(110), metrics_with(60), metrics_with(31), metrics_with(24)};
-  MapMetrics& result = s.cells.corrected_merged;
+  MapMetrics& result = s.cells.corrected;
   result.matched = 21;
   result.missed = {4};
   result.extra = {1, 9};
@@ -60,10 +60,10 @@ TEST(SummaryJson, HasEveryKeyWithItsOwnValue) {
                                                {"lines", 9000},
                                                {"ribbons", 80000},
                                                {"truth_planes", 22},
-                                               {"planes_noisy_raw", 110},
-                                               {"planes_noisy_merged", 60},
-                                               {"planes_corrected_raw", 31},
-                                               {"planes_corrected_merged", 24},
+                                               {"planes_noisy_as_built", 110},
+                                               {"planes_noisy", 60},
+                                               {"planes_corrected_as_built", 31},
+                                               {"planes_corrected", 24},
                                                {"matched", 21},
                                                {"missed", 1},
                                                {"extra", 2},
@@ -88,10 +88,10 @@ TEST(SummaryJson, HasEveryKeyWithItsOwnValue) {
 
 TEST(SummaryJson, HoldsTheFourCells) {
   const json cells = json::parse(summary_to_json(sample())).at("four_cells");
-  EXPECT_EQ(cells.at("noisy_raw").at("planes"), 110);
-  EXPECT_EQ(cells.at("noisy_merged").at("planes"), 60);
-  EXPECT_EQ(cells.at("corrected_raw").at("planes"), 31);
-  EXPECT_EQ(cells.at("corrected_merged").at("duplicates"), 5);
+  EXPECT_EQ(cells.at("noisy_as_built").at("planes"), 110);
+  EXPECT_EQ(cells.at("noisy").at("planes"), 60);
+  EXPECT_EQ(cells.at("corrected_as_built").at("planes"), 31);
+  EXPECT_EQ(cells.at("corrected").at("duplicates"), 5);
 }
 
 PointMetrics points_with(std::size_t correct) {
@@ -111,14 +111,14 @@ PointMetrics points_with(std::size_t correct) {
 
 TEST(SummaryJson, HoldsThePointsOfTheFourCells) {
   Summary s = sample();
-  const json without = json::parse(summary_to_json(s)).at("four_cells").at("noisy_raw");
+  const json without = json::parse(summary_to_json(s)).at("four_cells").at("noisy_as_built");
   EXPECT_TRUE(without.at("segcomp").is_null()) << "over ROS";
   s.points = {points_with(1), points_with(2), points_with(3), points_with(4)};
   const json cells = json::parse(summary_to_json(s)).at("four_cells");
-  EXPECT_EQ(cells.at("noisy_raw").at("segcomp").at("correct"), 1);
-  EXPECT_EQ(cells.at("noisy_merged").at("segcomp").at("correct"), 2);
-  EXPECT_EQ(cells.at("corrected_raw").at("segcomp").at("correct"), 3);
-  const json result = cells.at("corrected_merged");
+  EXPECT_EQ(cells.at("noisy_as_built").at("segcomp").at("correct"), 1);
+  EXPECT_EQ(cells.at("noisy").at("segcomp").at("correct"), 2);
+  EXPECT_EQ(cells.at("corrected_as_built").at("segcomp").at("correct"), 3);
+  const json result = cells.at("corrected");
   EXPECT_EQ(result.at("segcomp").at("correct"), 4);
   EXPECT_EQ(result.at("segcomp").at("over"), 11);
   EXPECT_EQ(result.at("segcomp").at("under"), 12);

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 ribbon_mapper authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "eval/sweep.hpp"
+#include "eval/experiment/sweep.hpp"
 
 #include <gmock/gmock.h>
 
@@ -35,12 +35,15 @@ TEST_P(Sweep, EveryRunIsMadeOnceAndPrinted) {
   const std::vector<std::uint64_t> seeds{9, 3, 7, 1, 5};
   {
     ProgressBar bar;
-    make_runs(runs_of(seeds), GetParam(), [&](const RunOptions& run, const auto& progress) {
-      progress({1, 1, 0, 0.0, 0.0});
-      const std::lock_guard<std::mutex> lock(mutex);
-      begun.push_back(run.seed);
-      return "done " + std::to_string(run.seed) + "\n";
-    }, bar);
+    make_runs(
+        runs_of(seeds), GetParam(),
+        [&](const RunOptions& run, const auto& progress) {
+          progress({1, 1, 0, 0.0, 0.0});
+          const std::lock_guard<std::mutex> lock(mutex);
+          begun.push_back(run.seed);
+          return "done " + std::to_string(run.seed) + "\n";
+        },
+        bar);
   }
   EXPECT_THAT(begun, testing::UnorderedElementsAreArray(seeds));
   const std::string printed = testing::internal::GetCapturedStdout();
@@ -57,8 +60,11 @@ TEST_P(Sweep, AFailureIsReportedAndNoFurtherRunBegins) {
     throw std::runtime_error("no such world");
   };
   ProgressBar bar;
-  EXPECT_THAT([&] { make_runs(runs_of({1, 2, 3, 4, 5, 6, 7, 8}), GetParam(), run, bar); },
-              testing::ThrowsMessage<std::runtime_error>("no such world"));
+  EXPECT_THAT(
+      [&] {
+        make_runs(runs_of({1, 2, 3, 4, 5, 6, 7, 8}), GetParam(), run, bar);
+      },
+      testing::ThrowsMessage<std::runtime_error>("no such world"));
   EXPECT_LE(begun, static_cast<int>(GetParam()));
 }
 

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "modeler/map/plane.hpp"
+#include "modeler/surface/plane.hpp"
 
 namespace ribbon_mapper {
 

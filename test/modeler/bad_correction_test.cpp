@@ -22,7 +22,7 @@ class BadCorrection : public ::testing::Test {
 
   /// Refused with these words, and everything is as it was.
   void expect_refusal(const Trajectory& trajectory, const std::string& words) {
-    const std::string planes = bytes_of(modeler.planes());
+    const std::string planes = bytes_of(modeler.planes_as_built());
     const Pose last = modeler.trajectory().back().T_map_base;
     const std::size_t revision = modeler.statistics().revision;
     try {
@@ -31,7 +31,7 @@ class BadCorrection : public ::testing::Test {
     } catch (const std::invalid_argument& error) {
       EXPECT_NE(std::string::npos, std::string(error.what()).find(words)) << error.what();
     }
-    EXPECT_EQ(planes, bytes_of(modeler.planes()));
+    EXPECT_EQ(planes, bytes_of(modeler.planes_as_built()));
     EXPECT_TRUE(last.isApprox(modeler.trajectory().back().T_map_base, 0.0));
     EXPECT_EQ(revision, modeler.statistics().revision);
   }
@@ -108,7 +108,7 @@ TEST_F(BadCorrection, PosesOutsideOfTheRunAreLeftOut) {
   Modeler other = model_of(lines);
   modeler.correct(truth);
   other.correct(longer);
-  EXPECT_EQ(bytes_of(modeler.merged_planes()), bytes_of(other.merged_planes()));
+  EXPECT_EQ(bytes_of(modeler.planes()), bytes_of(other.planes()));
 }
 
 }  // namespace

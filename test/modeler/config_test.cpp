@@ -98,8 +98,8 @@ TEST(Config, EachNumberHasARangeThatIsChecked) {
 }
 
 TEST(Config, RangesMustNotBeEmpty) {
-  EXPECT_NE(std::string::npos, complaint("scan.least_range_m", 31.0).find("scan.most_range_m"));
-  EXPECT_NE(std::string::npos, complaint("scan.most_range_m", 0.2).find("scan.least_range_m"));
+  EXPECT_NE(std::string::npos, complaint("scan.min_range_m", 31.0).find("scan.max_range_m"));
+  EXPECT_NE(std::string::npos, complaint("scan.max_range_m", 0.2).find("scan.min_range_m"));
 }
 
 class ConfigFile : public ::testing::Test {
@@ -131,12 +131,12 @@ class ConfigFile : public ::testing::Test {
 };
 
 TEST_F(ConfigFile, SetsWhatItNamesAndLeavesTheRest) {
-  const ModelerConfig config = load_config(
-      write("map: {cell_size_m: 0.1, slam: {angle_deg: 5}}\nribbon:\n  least_points: 8\n"
-            "scan: {deskew: false}\n"));
+  const ModelerConfig config =
+      load_config(write("map: {cell_size_m: 0.1, slam: {angle_deg: 5}}\nribbon:\n  min_points: 8\n"
+                        "scan: {deskew: false}\n"));
   EXPECT_EQ(0.1, config.map.cell_size_m);
   EXPECT_EQ(5.0, config.map.slam.angle_deg);
-  EXPECT_EQ(8, config.ribbon.least_points);
+  EXPECT_EQ(8, config.ribbon.min_points);
   EXPECT_FALSE(config.scan.deskew);
   EXPECT_EQ(ModelerConfig{}.map.slam.distance_m, config.map.slam.distance_m);
   EXPECT_EQ(ModelerConfig{}.scan.range_sigma_m, config.scan.range_sigma_m);
@@ -159,7 +159,7 @@ TEST_F(ConfigFile, WrongValuesAreRefusedWithTheKey) {
   expect_complaint("map: {cell_size_m: wide}", {"map.cell_size_m must be a number"});
   expect_complaint("map: {cell_size_m: [1, 2]}", {"map.cell_size_m must be a number"});
   expect_complaint("map: {cell_size_m: }", {"map.cell_size_m must be a number"});
-  expect_complaint("ribbon: {least_points: 6.5}", {"ribbon.least_points must be a number"});
+  expect_complaint("ribbon: {min_points: 6.5}", {"ribbon.min_points must be a number"});
   expect_complaint("scan: {deskew: 7}", {"scan.deskew must be true or false"});
   expect_complaint("map: {cell_size_m: 7}", {"map.cell_size_m is 7", "0.01 .. 1"});
   expect_complaint("map: {cell_size_m: .nan}", {"map.cell_size_m is nan"});

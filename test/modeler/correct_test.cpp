@@ -41,13 +41,13 @@ const Pose far_and_tilted = Eigen::Translation3d(40.0, -25.0, 3.0) *
 TEST(Correct, EqualsACleanBuildWithTheCorrectedTrajectory) {
   const Lines lines = drifting_tour();
   Modeler corrected = model_of(lines, equal_gates());
-  const std::vector<Plane> noisy = corrected.merged_planes();
+  const std::vector<Plane> noisy = corrected.planes();
   corrected.correct(true_trajectory(lines));
   const Modeler clean = model_of(with_true_acquisition_poses(lines), equal_gates());
   EXPECT_GT(noisy.size(), 6u);  // there was something to correct
-  expect_one_for_each(room(), corrected.merged_planes(), 0.3, 0.01);
+  expect_one_for_each(room(), corrected.planes(), 0.3, 0.01);
+  expect_same(anonymous(clean.planes_as_built()), anonymous(corrected.planes_as_built()), 1e-6);
   expect_same(anonymous(clean.planes()), anonymous(corrected.planes()), 1e-6);
-  expect_same(anonymous(clean.merged_planes()), anonymous(corrected.merged_planes()), 1e-6);
 }
 
 TEST(Correct, MovesTheTrajectoryToTheCorrectedPoses) {
@@ -71,11 +71,12 @@ TEST(Correct, TwiceTheSameChangesNothing) {
   const Lines lines = drifting_tour();
   Modeler modeler = model_of(lines);
   modeler.correct(true_trajectory(lines));
-  const std::string planes = bytes_of(modeler.planes()), merged = bytes_of(modeler.merged_planes());
+  const std::string planes = bytes_of(modeler.planes_as_built()),
+                    merged = bytes_of(modeler.planes());
   for (int i = 0; i < 2; ++i) {
     modeler.correct(true_trajectory(lines));
-    EXPECT_EQ(planes, bytes_of(modeler.planes()));
-    EXPECT_EQ(merged, bytes_of(modeler.merged_planes()));
+    EXPECT_EQ(planes, bytes_of(modeler.planes_as_built()));
+    EXPECT_EQ(merged, bytes_of(modeler.planes()));
   }
   EXPECT_EQ(3u, modeler.statistics().revision);
 }
@@ -84,22 +85,22 @@ TEST(Correct, EachRevisionReplacesTheOneBefore) {
   const Lines lines = drifting_tour();
   Modeler modeler = model_of(lines);
   modeler.correct(true_trajectory(lines));
-  const std::vector<Plane> first = modeler.merged_planes();
+  const std::vector<Plane> first = modeler.planes();
   modeler.correct(moved(true_trajectory(lines, 100), far_and_tilted));
   modeler.correct(true_trajectory(lines));
-  expect_same(anonymous(first), anonymous(modeler.merged_planes()), 1e-12);
+  expect_same(anonymous(first), anonymous(modeler.planes()), 1e-12);
 }
 
 TEST(Correct, AShiftMovesEveryPlaneByThatAndKeepsIds) {
   const Lines lines = drifting_tour();
   Modeler modeler = model_of(lines);
   modeler.correct(true_trajectory(lines));
-  const std::vector<Plane> planes = modeler.planes(), merged = modeler.merged_planes();
+  const std::vector<Plane> planes = modeler.planes_as_built(), merged = modeler.planes();
   ASSERT_EQ(6u, merged.size());
   modeler.correct(moved(true_trajectory(lines), far_and_tilted));
   const double relative = 1e-9 * far_and_tilted.translation().norm();
-  expect_same(moved(planes, far_and_tilted), modeler.planes(), relative);
-  expect_same(moved(merged, far_and_tilted), modeler.merged_planes(), relative);
+  expect_same(moved(planes, far_and_tilted), modeler.planes_as_built(), relative);
+  expect_same(moved(merged, far_and_tilted), modeler.planes(), relative);
 }
 
 TEST(Correct, OnePoseIsEnoughForAShift) {
@@ -108,7 +109,7 @@ TEST(Correct, OnePoseIsEnoughForAShift) {
   std::vector<StampedPose> shifted = moved(one.trajectory(), far_and_tilted);
   all.correct(shifted);
   one.correct({shifted[300]});
-  expect_same(all.merged_planes(), one.merged_planes(), 1e-9);
+  expect_same(all.planes(), one.planes(), 1e-9);
 }
 
 TEST(Correct, SparseKeyframesGiveTheModelOfDenseOnes) {
@@ -116,8 +117,8 @@ TEST(Correct, SparseKeyframesGiveTheModelOfDenseOnes) {
   Modeler sparse = model_of(lines), dense = model_of(lines);
   sparse.correct(true_trajectory(lines, 40));  // one a second
   dense.correct(true_trajectory(lines));
-  expect_one_for_each(room(), sparse.merged_planes(), 0.3, 0.01);
-  const auto a = anonymous(sparse.merged_planes()), b = anonymous(dense.merged_planes());
+  expect_one_for_each(room(), sparse.planes(), 0.3, 0.01);
+  const auto a = anonymous(sparse.planes()), b = anonymous(dense.planes());
   ASSERT_EQ(a.size(), b.size());
   for (std::size_t i = 0; i < a.size(); ++i) {
     EXPECT_GT(a[i].normal.dot(b[i].normal), std::cos(0.2 * M_PI / 180.0));
@@ -128,9 +129,9 @@ TEST(Correct, SparseKeyframesGiveTheModelOfDenseOnes) {
 TEST(Correct, PlanesKeepTheirIds) {
   const Lines lines = drifting_tour();
   Modeler modeler = model_of(lines);
-  const std::vector<Plane> before = modeler.merged_planes();
+  const std::vector<Plane> before = modeler.planes();
   modeler.correct(true_trajectory(lines));
-  const std::vector<Plane> after = modeler.merged_planes();
+  const std::vector<Plane> after = modeler.planes();
   EXPECT_EQ(6u, after.size());
   for (const Plane& plane : after) {
     const auto same = std::find_if(before.begin(), before.end(),
@@ -161,24 +162,24 @@ TEST(Correct, PartsWhatWasWronglyMerged) {
   for (const ModelerConfig& config : {equal_gates(), ModelerConfig{}}) {
     Modeler modeler = model_of(lines, config);
     const auto recorded = modeler.trajectory();
+    EXPECT_EQ(1u, modeler.planes_as_built().size());
     EXPECT_EQ(1u, modeler.planes().size());
-    EXPECT_EQ(1u, modeler.merged_planes().size());
     modeler.correct(true_trajectory(lines));
     expect_one_for_each(
         {plane(-Eigen::Vector3d::UnitX(), 3.0), plane(-Eigen::Vector3d::UnitX(), 3.2)},
-        modeler.merged_planes(), 0.5, 0.01);
-    EXPECT_EQ(2u, modeler.planes().size());
+        modeler.planes(), 0.5, 0.01);
+    EXPECT_EQ(2u, modeler.planes_as_built().size());
     modeler.correct(recorded);
-    EXPECT_EQ(1u, modeler.merged_planes().size());
+    EXPECT_EQ(1u, modeler.planes().size());
   }
 }
 
 TEST(Correct, UnitesWhatWasDoubled) {
   const Lines lines = walls_seen_apart(3.0, 3.0, 0.3);
   Modeler modeler = model_of(lines);
-  EXPECT_EQ(2u, modeler.merged_planes().size());
+  EXPECT_EQ(2u, modeler.planes().size());
   modeler.correct(true_trajectory(lines));
-  expect_one_for_each({plane(-Eigen::Vector3d::UnitX(), 3.0)}, modeler.merged_planes(), 0.5, 0.01);
+  expect_one_for_each({plane(-Eigen::Vector3d::UnitX(), 3.0)}, modeler.planes(), 0.5, 0.01);
 }
 
 TEST(Correct, LinesThatFollowGoOnFromTheLastChange) {
@@ -199,7 +200,7 @@ TEST(Correct, LinesThatFollowGoOnFromTheLastChange) {
     const Pose expected = at_once.trajectory()[i].T_map_base;
     EXPECT_LT((expected.matrix() - modeler.trajectory()[i].T_map_base.matrix()).norm(), 1e-9);
   }
-  expect_same(anonymous(at_once.merged_planes()), anonymous(modeler.merged_planes()), 1e-6);
+  expect_same(anonymous(at_once.planes()), anonymous(modeler.planes()), 1e-6);
 }
 
 TEST(Correct, LinesThatFollowAreWhereTfSaysIfTfFollows) {
@@ -211,7 +212,7 @@ TEST(Correct, LinesThatFollowAreWhereTfSaysIfTfFollows) {
   for (std::size_t i = 300; i < lines.size(); ++i) {
     modeler.add_scan_line(corrected[i].beams, corrected[i].poses);
   }
-  expect_one_for_each(room(), modeler.merged_planes(), 0.3, 0.01);
+  expect_one_for_each(room(), modeler.planes(), 0.3, 0.01);
 }
 
 }  // namespace

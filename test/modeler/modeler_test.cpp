@@ -23,8 +23,8 @@ Lines tour_without_drift() {
 
 TEST(Modeler, MakesOnePlaneOfEachFace) {
   const Modeler modeler = model_of(tour_without_drift());
+  expect_one_for_each(room(), modeler.planes_as_built(), 0.3, 0.01);
   expect_one_for_each(room(), modeler.planes(), 0.3, 0.01);
-  expect_one_for_each(room(), modeler.merged_planes(), 0.3, 0.01);
   const ModelStatistics statistics = modeler.statistics();
   EXPECT_EQ(600u, statistics.lines);
   EXPECT_GT(statistics.ribbons, 1000u);
@@ -33,7 +33,7 @@ TEST(Modeler, MakesOnePlaneOfEachFace) {
 }
 
 TEST(Modeler, PlanesSayWhatTheyAre) {
-  for (const Plane& plane : model_of(tour_without_drift()).merged_planes()) {
+  for (const Plane& plane : model_of(tour_without_drift()).planes()) {
     EXPECT_NEAR(1.0, plane.normal.norm(), 1e-12);
     EXPECT_LT((plane.axis_u.cross(plane.axis_v) - plane.normal).norm(), 1e-9);
     EXPECT_NEAR(0.0, plane.normal.dot(plane.centroid) + plane.d_m, 1e-6);
@@ -50,13 +50,12 @@ TEST(Modeler, PlanesSayWhatTheyAre) {
 /// A board of 1.2 m with strips of 9 cm beside it, too narrow for ribbons, before a robot that
 /// drives up to it.
 TEST(Modeler, PointsOfNoRibbonAreWhereTheRobotSawThem) {
-  const auto board = [](double least_y, double most_y) {
-    return plane(-Eigen::Vector3d::UnitX(), 3.0, {0, least_y, 0}, {9, most_y, 2.5});
+  const auto board = [](double min_y, double max_y) {
+    return plane(-Eigen::Vector3d::UnitX(), 3.0, {0, min_y, 0}, {9, max_y, 2.5});
   };
   const World world{board(-0.6, 0.6), board(0.66, 0.75), board(-0.75, -0.66)};
   const auto drive_up = [](double time_s) { return planar_pose(0.2 * time_s, 0.0, 0.0); };
-  const auto planes =
-      model_of(drive(world, {drive_up, to_and_fro, no_drift}, 0.0, 6.0)).merged_planes();
+  const auto planes = model_of(drive(world, {drive_up, to_and_fro, no_drift}, 0.0, 6.0)).planes();
   ASSERT_EQ(1u, planes.size());
   std::size_t on_strips = 0;
   for (const PlaneCell& cell : planes[0].cells) {
@@ -68,9 +67,9 @@ TEST(Modeler, PointsOfNoRibbonAreWhereTheRobotSawThem) {
 /// The robot goes round and round in one room, with a limit that it reaches within the first round.
 TEST(Modeler, StaysWithinItsMemoryAllDay) {
   ModelerConfig config;
-  config.map.most_ribbons = 600;
+  config.map.max_ribbons = 600;
   Modeler modeler(config);
-  std::size_t most_bytes_in_first_half = 0;
+  std::size_t max_bytes_in_first_half = 0;
   constexpr int rounds = 12;
   for (int round = 0; round < rounds; ++round) {
     for (Line line : tour_without_drift()) {
@@ -80,9 +79,9 @@ TEST(Modeler, StaysWithinItsMemoryAllDay) {
       ASSERT_LE(modeler.statistics().ribbons, 600u);
     }
     const std::size_t bytes = modeler.memory_bytes();
-    if (round < rounds / 2) most_bytes_in_first_half = std::max(most_bytes_in_first_half, bytes);
-    EXPECT_LT(bytes, most_bytes_in_first_half * 5 / 4) << "round " << round;
-    expect_one_for_each(room(), modeler.merged_planes(), 0.3, 0.01);
+    if (round < rounds / 2) max_bytes_in_first_half = std::max(max_bytes_in_first_half, bytes);
+    EXPECT_LT(bytes, max_bytes_in_first_half * 5 / 4) << "round " << round;
+    expect_one_for_each(room(), modeler.planes(), 0.3, 0.01);
   }
   EXPECT_GT(modeler.statistics().thinned, 600u);
   const auto trajectory = modeler.trajectory();
@@ -93,20 +92,20 @@ TEST(Modeler, StaysWithinItsMemoryAllDay) {
 /// The corrected model of thinned ribbons is as good.
 TEST(Modeler, IsCorrectedAlsoAfterThinning) {
   ModelerConfig config;
-  config.map.most_ribbons = 600;
+  config.map.max_ribbons = 600;
   Modeler modeler(config);
   const Motion motion{around_the_middle, to_and_fro, wandering_drift};
   const Lines lines = drive(room(), motion, 0.0, 15.0);
   for (const Line& line : lines) modeler.add_scan_line(line.beams, line.poses);
   ASSERT_LT(modeler.trajectory().size(), 550u);
   modeler.correct(true_trajectory(lines));
-  expect_one_for_each(room(), modeler.merged_planes(), 0.3, 0.01);
+  expect_one_for_each(room(), modeler.planes(), 0.3, 0.01);
 }
 
 TEST(Modeler, AnEmptyOneHasNothing) {
   Modeler modeler{ModelerConfig{}};
+  EXPECT_TRUE(modeler.planes_as_built().empty());
   EXPECT_TRUE(modeler.planes().empty());
-  EXPECT_TRUE(modeler.merged_planes().empty());
   EXPECT_TRUE(modeler.trajectory().empty());
   EXPECT_EQ(0u, modeler.statistics().lines);
   modeler.memory_bytes();
@@ -169,7 +168,7 @@ TEST(Modeler, BadLinesInBetweenLeaveNoTrace) {
     if (i % 5 == 4) bad.poses.T_odom_base_last.linear()(0, 1) = inf;
     EXPECT_NE(LineResult::modelled, modeler.add_scan_line(bad.beams, bad.poses));
   }
-  EXPECT_EQ(bytes_of(model_of(lines).merged_planes()), bytes_of(modeler.merged_planes()));
+  EXPECT_EQ(bytes_of(model_of(lines).planes()), bytes_of(modeler.planes()));
 }
 
 TEST(Modeler, RangesThatMeanNothingCostNoPlane) {
@@ -177,7 +176,7 @@ TEST(Modeler, RangesThatMeanNothingCostNoPlane) {
   for (Line& line : lines) {
     for (std::size_t i = 0; i < 361; i += 40) line.beams.ranges_m[i] = i % 80 ? nan_ : inf;
   }
-  expect_one_for_each(room(), model_of(lines).merged_planes(), 0.3, 0.01);
+  expect_one_for_each(room(), model_of(lines).planes(), 0.3, 0.01);
 }
 
 TEST(Modeler, GoesOnWithLinesOfAnotherLength) {
@@ -189,33 +188,33 @@ TEST(Modeler, GoesOnWithLinesOfAnotherLength) {
   for (const Line& line : drive(room(), motion, 7.0, 15.0, {541, 0.005, 2})) {
     EXPECT_NE(LineResult::malformed, modeler.add_scan_line(line.beams, line.poses));
   }
-  expect_one_for_each(room(), modeler.merged_planes(), 0.3, 0.01);
+  expect_one_for_each(room(), modeler.planes(), 0.3, 0.01);
 }
 
 TEST(Modeler, SameInputSameBytes) {
   const Lines lines = drive(room(), {around_the_middle, to_and_fro, wandering_drift}, 0.0, 15.0);
   Modeler one = model_of(lines), other = model_of(lines);
-  EXPECT_EQ(bytes_of(one.planes()), bytes_of(other.planes()));
-  one.merged_planes();  // asking changes nothing
+  EXPECT_EQ(bytes_of(one.planes_as_built()), bytes_of(other.planes_as_built()));
+  one.planes();  // asking changes nothing
   one.correct(true_trajectory(lines));
   other.correct(true_trajectory(lines));
+  EXPECT_EQ(bytes_of(one.planes_as_built()), bytes_of(other.planes_as_built()));
   EXPECT_EQ(bytes_of(one.planes()), bytes_of(other.planes()));
-  EXPECT_EQ(bytes_of(one.merged_planes()), bytes_of(other.merged_planes()));
 }
 
 TEST(Modeler, ResetForgetsEverything) {
   const Lines lines = tour_without_drift();
   Modeler modeler = model_of(lines);
-  const std::string before = bytes_of(modeler.merged_planes());
+  const std::string before = bytes_of(modeler.planes());
   modeler.correct(true_trajectory(lines, 50));
   modeler.reset();
-  EXPECT_TRUE(modeler.planes().empty());
+  EXPECT_TRUE(modeler.planes_as_built().empty());
   EXPECT_TRUE(modeler.trajectory().empty());
   EXPECT_EQ(0u, modeler.statistics().lines);
   EXPECT_EQ(0u, modeler.statistics().ribbons);
   EXPECT_EQ(0u, modeler.statistics().revision);
   for (const Line& line : lines) modeler.add_scan_line(line.beams, line.poses);  // older stamps
-  EXPECT_EQ(before, bytes_of(modeler.merged_planes()));
+  EXPECT_EQ(before, bytes_of(modeler.planes()));
 }
 
 }  // namespace

@@ -64,7 +64,7 @@ void expect_model_of_dense_poses(const Lines& lines) {
   sparse.correct(true_trajectory(lines, each_two_seconds));
   dense.correct(true_trajectory(lines));
   EXPECT_LT(largest_yaw_error_deg(sparse), 1.0);
-  const auto a = anonymous(sparse.merged_planes()), b = anonymous(dense.merged_planes());
+  const auto a = anonymous(sparse.planes()), b = anonymous(dense.planes());
   ASSERT_EQ(a.size(), b.size());
   for (std::size_t i = 0; i < a.size(); ++i) {
     EXPECT_GT(a[i].normal.dot(b[i].normal), std::cos(0.2 * M_PI / 180.0));
@@ -106,10 +106,11 @@ TEST(SparseCorrection, TwiceTheSameChangesNothing) {
   const Lines lines = drifting_tour();
   Modeler modeler = model_of(lines);
   modeler.correct(true_trajectory(lines, each_two_seconds));
-  const std::string planes = bytes_of(modeler.planes()), merged = bytes_of(modeler.merged_planes());
+  const std::string planes = bytes_of(modeler.planes_as_built()),
+                    merged = bytes_of(modeler.planes());
   modeler.correct(true_trajectory(lines, each_two_seconds));
-  EXPECT_EQ(planes, bytes_of(modeler.planes()));
-  EXPECT_EQ(merged, bytes_of(modeler.merged_planes()));
+  EXPECT_EQ(planes, bytes_of(modeler.planes_as_built()));
+  EXPECT_EQ(merged, bytes_of(modeler.planes()));
 }
 
 TEST(SparseCorrection, AShiftMovesEveryPlaneByThat) {
@@ -119,11 +120,11 @@ TEST(SparseCorrection, AShiftMovesEveryPlaneByThat) {
   Modeler modeler = model_of(lines);
   std::vector<StampedPose> corrected = true_trajectory(lines, each_two_seconds);
   modeler.correct(corrected);
-  std::vector<Plane> expected = modeler.merged_planes();
+  std::vector<Plane> expected = modeler.planes();
   for (Plane& plane : expected) plane = moved(plane, shift);
   for (StampedPose& pose : corrected) pose.T_map_base = shift * pose.T_map_base;
   modeler.correct(corrected);
-  expect_same(expected, modeler.merged_planes(), 1e-6);
+  expect_same(expected, modeler.planes(), 1e-6);
 }
 
 TEST(SparseCorrection, AnOdometryWithoutErrorsIsBelieved) {
@@ -147,7 +148,7 @@ TEST(SparseCorrection, WithNothingToSeeTheOdometryHolds) {
   Modeler modeler = model_of(lines);
   modeler.correct(true_trajectory(lines, each_two_seconds));
   EXPECT_LT(largest_yaw_error_deg(modeler), 15.0);
-  EXPECT_EQ(1U, modeler.merged_planes().size());
+  EXPECT_EQ(1U, modeler.planes().size());
 }
 
 }  // namespace

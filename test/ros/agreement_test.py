@@ -47,7 +47,7 @@ class Agreement(unittest.TestCase):
         summary = experiment_summary()
         self.assertEqual(model.dropped_lines, 0)
         self.assertEqual(model.lines, summary['lines'])
-        self.assertEqual(len(model.planes.planes), summary['planes_corrected_merged'])
+        self.assertEqual(len(model.planes.planes), summary['planes_corrected'])
         self.assertAlmostEqual(model.ribbons / summary['ribbons'], 1.0, delta=0.01)
 
 

@@ -106,8 +106,8 @@ class LoopClosure(unittest.TestCase):
         self.assertTrue(eventually(lambda: os.path.exists(path)), 'no report in ' + path)
         with open(path) as file:
             report = json.load(file)['four_cells']
-        cells = (('corrected_merged', self.counts()),
-                 ('noisy_merged', self.counts(which=GetModelRequest.BEFORE_CORRECTION)))
+        cells = (('corrected', self.counts()),
+                 ('noisy', self.counts(which=GetModelRequest.BEFORE_CORRECTION)))
         for cell, counts in cells:
             figures = tuple(report[cell][key] for key in ('matched', 'missed', 'extra',
                                                           'duplicates'))

@@ -7,7 +7,7 @@ import math
 MAX_ANGLE_DEG = 5.0
 MAX_OFFSET = 0.10
 REACH = 0.075
-LEAST_OVERLAP = 0.5
+MIN_OVERLAP = 0.5
 
 
 class Counts:
@@ -49,7 +49,7 @@ def overlap(estimate, truth):
     """Shared cells of the truth; none if neither has half of its cells in the other."""
     e, t = buckets(estimate), buckets(truth)
     of_truth = shared(t, e)
-    if of_truth >= LEAST_OVERLAP * len(t) or shared(e, t) >= LEAST_OVERLAP * len(e):
+    if of_truth >= MIN_OVERLAP * len(t) or shared(e, t) >= MIN_OVERLAP * len(e):
         return of_truth
     return 0
 

@@ -70,7 +70,7 @@ class Wiring(unittest.TestCase):
                          [pose.header.stamp for pose in trajectory.poses])
 
     def test_tf_chain_is_the_robots(self):
-        """URDF, joint states and sim/pr2.cpp agree: the laser's axis is 1.017675 m high, plus the
+        """URDF, joint states and sim/robot/pr2.cpp agree: the laser's axis is 1.017675 m high, plus the
         torso's rest."""
         height = 0.0
         for child in ('base_link', 'torso_lift_link', 'laser_tilt_mount_link'):

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 ribbon_mapper authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "sim/hit_grid.hpp"
+#include "sim/truth/hit_grid.hpp"
 
 #include <gtest/gtest.h>
 

@@ -2,15 +2,15 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
 // Beams: how many, where to, when, and each from its own place.
-#include "sim/hokuyo.hpp"
+#include "sim/robot/hokuyo.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <thread>
 
-#include "sim/pr2.hpp"
-#include "sim/tour.hpp"
+#include "sim/robot/pr2.hpp"
+#include "sim/tour/tour.hpp"
 #include "test/sim/sample_world.hpp"
 
 namespace ribbon_mapper::sim {

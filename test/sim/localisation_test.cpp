@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
 // The drift against what gmapping's motion model says in closed form, over many seeds.
-#include "sim/localisation.hpp"
+#include "sim/tour/localisation.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 ribbon_mapper authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "sim/pr2.hpp"
+#include "sim/robot/pr2.hpp"
 
 #include <gtest/gtest.h>
 

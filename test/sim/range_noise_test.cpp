@@ -6,7 +6,7 @@
 
 #include <functional>
 
-#include "sim/hokuyo.hpp"
+#include "sim/robot/hokuyo.hpp"
 #include "test/sim/sample_world.hpp"
 
 namespace ribbon_mapper::sim {

@@ -7,7 +7,7 @@
 #include <algorithm>
 #include <random>
 
-#include "sim/tour.hpp"
+#include "sim/tour/tour.hpp"
 #include "test/sim/sample_world.hpp"
 
 namespace ribbon_mapper::sim {

@@ -3,7 +3,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "sim/route.hpp"
+#include "sim/tour/route.hpp"
 #include "test/sim/sample_world.hpp"
 
 namespace ribbon_mapper::sim {

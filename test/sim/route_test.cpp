@@ -1,11 +1,11 @@
 // SPDX-FileCopyrightText: 2026 ribbon_mapper authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "sim/route.hpp"
+#include "sim/tour/route.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "sim/pr2.hpp"
+#include "sim/robot/pr2.hpp"
 #include "test/sim/sample_world.hpp"
 
 namespace ribbon_mapper::sim {

@@ -7,7 +7,7 @@
 #include <sstream>
 #include <string>
 
-#include "sim/world.hpp"
+#include "sim/world/world.hpp"
 #include "test/io/temporary_directory.hpp"
 
 namespace ribbon_mapper::sim {

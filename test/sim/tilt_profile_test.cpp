@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 ribbon_mapper authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "sim/tilt_profile.hpp"
+#include "sim/robot/tilt_profile.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

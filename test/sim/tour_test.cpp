@@ -1,12 +1,12 @@
 // SPDX-FileCopyrightText: 2026 ribbon_mapper authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "sim/tour.hpp"
+#include "sim/tour/tour.hpp"
 
 #include <gtest/gtest.h>
 
 #include <cstring>
 
-#include "sim/pr2.hpp"
+#include "sim/robot/pr2.hpp"
 #include "test/sim/sample_world.hpp"
 
 namespace ribbon_mapper::sim {

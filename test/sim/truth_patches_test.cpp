@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 ribbon_mapper authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "sim/truth_patches.hpp"
+#include "sim/truth/truth_patches.hpp"
 
 #include <gtest/gtest.h>
 

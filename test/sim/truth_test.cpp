@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
 // Truth planes of hand-made worlds, looked at densely from given places.
-#include "sim/truth.hpp"
+#include "sim/truth/truth.hpp"
 
 #include <gtest/gtest.h>
 

@@ -8,8 +8,8 @@
 
 #include <algorithm>
 
-#include "sim/tour.hpp"
-#include "sim/truth.hpp"
+#include "sim/tour/tour.hpp"
+#include "sim/truth/truth.hpp"
 #include "test/sim/sample_world.hpp"
 
 namespace ribbon_mapper::sim {

@@ -177,12 +177,12 @@ TEST(FlatNormal, IsNoneForWhatIsThickOrNarrow) {
         Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d>(slow_covariance(points)).eigenvalues();
     const Flatness flatness{1e-4, 2.0};
     const double near = 1e-12 + 1e-4 * variances[1];  // no bar is sharper than rounding
-    if (std::abs(variances[0] - flatness.most_variance_m2) < near ||
+    if (std::abs(variances[0] - flatness.max_variance_m2) < near ||
         std::abs(variances[1] - 2.0 * variances[0]) < near) {
       continue;
     }
     const bool expected =
-        variances[0] < flatness.most_variance_m2 && variances[1] > 2.0 * variances[0];
+        variances[0] < flatness.max_variance_m2 && variances[1] > 2.0 * variances[0];
     EXPECT_EQ(expected, flat_normal(moments_of(points), flatness).has_value()) << "seed " << seed;
     flat += expected, ++count;
   }

@@ -7,7 +7,7 @@
 #include <cmath>
 
 #include "modeler/registration/odometry_noise.hpp"
-#include "test/modeler/map/scene.hpp"
+#include "test/modeler/association/scene.hpp"
 
 namespace ribbon_mapper {
 namespace {
@@ -75,7 +75,7 @@ TEST(PlaneAdjustment, PlanesAndPosesThatErrTogetherComeBackTogether) {
   for (SightedPlane& plane : planes) plane.centroid += 0.02 * plane.normal;
   for (int i = 0; i < 10; ++i) adjust({}, chains, planes);
   for (std::size_t i = 0; i < hall.truth.size(); ++i) {
-    const Vector6 left = error_between(hall.truth[i], chains[0].lines[i].T_world_base);
+    const Vector6 left = error_between(hall.truth[i], chains[0].lines[i].T_model_base);
     EXPECT_LT(left.norm(), 1e-4) << "line " << i;
   }
   for (std::size_t i = 0; i < planes.size(); ++i) {

@@ -39,7 +39,7 @@ double rounding_rad(const PlaneFit& fit) {
 
 struct Comparison {
   int surfels = 0, sharp = 0;  ///< sharp: PCL's rounding is below 0.2 degrees
-  double most_roundings = 0.0;
+  double max_roundings = 0.0;
 };
 
 void compare_with_pcl(const LineBuffer& buffer, const RibbonConfig& config, Comparison& result) {
@@ -56,7 +56,7 @@ void compare_with_pcl(const LineBuffer& buffer, const RibbonConfig& config, Comp
     for (const pcl::PointXYZ& p : cloud) moments.add({p.x, p.y, p.z});
     const double rounding = rounding_rad(fit_plane(moments));
     const double angle_rad = std::asin(std::min(1.0, normal.cross(surfel.normal).norm()));
-    result.most_roundings = std::max(result.most_roundings, angle_rad / rounding);
+    result.max_roundings = std::max(result.max_roundings, angle_rad / rounding);
     ++result.surfels;
     result.sharp += rounding < 3.5e-3;
   }
@@ -71,7 +71,7 @@ TEST(Normals, AgreeWithPclOnTheSameNeighbours) {
     }
     EXPECT_GT(result.surfels, 400);
     EXPECT_GT(result.sharp, 0.8 * result.surfels);
-    EXPECT_LT(result.most_roundings, 1.0) << "sigma " << sigma_m;
+    EXPECT_LT(result.max_roundings, 1.0) << "sigma " << sigma_m;
   }
 }
 

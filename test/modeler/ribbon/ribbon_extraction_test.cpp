@@ -7,7 +7,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "modeler/map/posed_ribbon.hpp"
+#include "modeler/observations/posed_ribbon.hpp"
 #include "test/modeler/ribbon/three_lines.hpp"
 
 namespace ribbon_mapper {
@@ -97,7 +97,7 @@ TEST(RibbonExtraction, RibbonsAndStrayPointsAreAllReturnsOnce) {
     EXPECT_EQ(ribbon.spread.weight(), samples);
     points += samples;
   }
-  for (const PackedPoint& point : extraction.strays(buffer, store)) points += point.count;
+  for (const PackedPoint& point : extraction.unassigned(buffer, store)) points += point.count;
   EXPECT_EQ(buffer.middle().moments(0, 361).weight(), points);
 }
 
@@ -185,8 +185,8 @@ int bevels(const RibbonConfig& config) {
 
 TEST(RibbonExtraction, LinesThatStraddleAnEdgeMakeNoBevel) {
   RibbonConfig tolerant;  // what is below the noise is left to the map: see bevel_test.cpp
-  tolerant.bevel_sigmas = 100.0;
-  tolerant.bevel_slack_m = 1.0;
+  tolerant.spurious_sigmas = 100.0;
+  tolerant.spurious_slack_m = 1.0;
   const int without_check = bevels(tolerant);
   EXPECT_GT(without_check, 8);
   EXPECT_LT(bevels({}), without_check / 4);
@@ -208,7 +208,7 @@ LineBuffer veil() {
 
 TEST(RibbonExtraction, AVeilAlongTheBeamsIsNoRibbon) {
   RibbonConfig tolerant;
-  tolerant.least_incidence_deg = 0.0;
+  tolerant.min_grazing_angle_deg = 0.0;
   EXPECT_FALSE(ribbons_of(veil(), tolerant).empty());
   EXPECT_TRUE(ribbons_of(veil()).empty());
 }

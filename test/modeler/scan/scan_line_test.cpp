@@ -83,14 +83,14 @@ TEST(PlaceBeams, WithoutDeskewAllAtTheMiddle) {
   config.deskew = false;
   const ScanLine line = placed(beams, moving_poses(), config);
   const Pose middle = T_odom_base_at(0.5 * scan_time_s) * T_base_laser_at(0.5 * scan_time_s);
-  double most_m = 0.0;
+  double max_m = 0.0;
   for (std::size_t i = 0; i < 721; ++i) {
     EXPECT_LT((line.points[i] - end_of_beam(beams, i, middle)).norm(), 5e-4);
     const double time_s = i / 720.0 * scan_time_s;
     const Pose T_odom_laser = T_odom_base_at(time_s) * T_base_laser_at(time_s);
-    most_m = std::max(most_m, (line.points[i] - end_of_beam(beams, i, T_odom_laser)).norm());
+    max_m = std::max(max_m, (line.points[i] - end_of_beam(beams, i, T_odom_laser)).norm());
   }
-  EXPECT_GT(most_m, 0.05);  // so much is at stake in EachAtItsOwnTime
+  EXPECT_GT(max_m, 0.05);  // so much is at stake in EachAtItsOwnTime
 }
 
 TEST(PlaceBeams, ClockwiseLasersSeeTheSame) {

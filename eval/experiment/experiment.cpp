@@ -1,0 +1,132 @@
+// SPDX-FileCopyrightText: 2026 ribbon_mapper authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "eval/experiment/experiment.hpp"
+
+#include <algorithm>
+#include <chrono>
+
+#include "eval/experiment/lines.hpp"
+#include "eval/metrics/point_truth.hpp"
+#include "eval/metrics/statistics.hpp"
+#include "eval/results/world_outlines.hpp"
+#include "modeler/modeler.hpp"
+#include "sim/truth/truth.hpp"
+
+namespace ribbon_mapper::eval {
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+/// Seconds that `work` takes.
+template <typename Work>
+double seconds_of(const Work& work) {
+  const Clock::time_point start = Clock::now();
+  work();
+  return std::chrono::duration<double>(Clock::now() - start).count();
+}
+
+/// What became of the lines, and how long they took.
+struct LineLog {
+  std::size_t dropped = 0;
+  double total_s = 0.0;
+  std::vector<double> line_s;
+};
+
+bool is_dropped(LineResult result) {
+  return result == LineResult::malformed || result == LineResult::out_of_order;
+}
+
+/// What the simulator knows of the world, and of each beam.
+struct Truth {
+  explicit Truth(const sim::World& world) : collector(world) {}
+  void add(const sim::Scan& scan) { points.add(middle_of(beams_of(scan)), collector.add(scan)); }
+
+  sim::TruthCollector collector;
+  PointTruth points;
+};
+
+LineLog drive(sim::Tour& tour, Modeler& modeler, Truth& truth, const ProgressCallback& progress) {
+  LineLog log;
+  while (const std::optional<sim::Scan> scan = tour.next_scan()) {
+    const LaserBeams beams = beams_of(*scan);
+    const LinePoses poses = noisy_poses(tour, beams);
+    LineResult result = LineResult::modelled;
+    log.line_s.push_back(seconds_of([&] { result = modeler.add_scan_line(beams, poses); }));
+    log.total_s += log.line_s.back();
+    log.dropped += is_dropped(result) ? 1 : 0;
+    truth.add(*scan);
+    progress({log.line_s.size(), tour.line_count(), modeler.statistics().ribbons,
+              to_seconds(beams.stamp), log.total_s});
+  }
+  return log;
+}
+
+/// Ground truth at the stamps of a trajectory.
+std::vector<StampedPose> true_poses(const sim::Tour& tour, std::vector<StampedPose> trajectory) {
+  for (StampedPose& pose : trajectory) pose.T_map_base = tour.true_T_map_base(pose.stamp);
+  return trajectory;
+}
+
+std::vector<Patch> patches_of(const std::vector<sim::TruthPlane>& planes) {
+  std::vector<Patch> patches;
+  for (const sim::TruthPlane& plane : planes) {
+    patches.push_back({plane.normal, plane.d_m, plane.area_m2, plane.cells});
+  }
+  return patches;
+}
+
+PointMetrics point_metrics(const PointTruth& truth, const Modeler& modeler,
+                           const std::vector<Plane>& planes) {
+  const Overlaps of_ribbons = truth.overlaps(modeler, planes, PointTruth::Points::of_ribbons);
+  const Overlaps all = truth.overlaps(modeler, planes, PointTruth::Points::all);
+  return {segcomp(of_ribbons), evops(of_ribbons), duplication(of_ribbons), segcomp(all)};
+}
+
+Summary summary_of(const LineLog& log, const sim::Tour& tour, const Modeler& modeler) {
+  Summary summary;
+  summary.lines = log.line_s.size();
+  summary.dropped_lines = log.dropped;
+  summary.ribbons = modeler.statistics().ribbons;
+  summary.us_per_line = 1e6 * quantile(log.line_s, 0.5);
+  summary.real_time_factor = to_seconds(tour.duration()) / log.total_s;
+  return summary;
+}
+
+}  // namespace
+
+Results run_experiment(const sim::World& world, const sim::Route& route,
+                       const sim::TourConfig& tour_config, const ModelerConfig& modeler_config,
+                       const ProgressCallback& progress) {
+  sim::Tour tour(world, route, tour_config);
+  Modeler modeler(modeler_config);
+  Truth truth(world);
+  const LineLog log = drive(tour, modeler, truth, progress);
+
+  Results results;
+  results.summary = summary_of(log, tour, modeler);
+  const std::vector<sim::TruthPlane> true_planes = truth.collector.planes();
+  truth.points.settle(true_planes);
+  results.truth = patches_of(true_planes);
+  results.world_outlines = world_outlines(world);
+  results.models.noisy_as_built = modeler.planes_as_built();
+  results.models.noisy = modeler.planes();
+  results.trajectory_before = modeler.trajectory();
+  results.trajectory_truth = true_poses(tour, modeler.trajectory());
+
+  results.summary.correction_ms =
+      1e3 * seconds_of([&] { modeler.correct(results.trajectory_truth); });
+  results.models.corrected_as_built = modeler.planes_as_built();
+  results.models.corrected = modeler.planes();
+  results.trajectory_after = modeler.trajectory();
+  evaluate(results);
+  results.summary.points = for_each_cell(results.models, [&](const std::vector<Plane>& planes) {
+    return point_metrics(truth.points, modeler, planes);
+  });
+  if (const auto errors = truth.points.ribbon_errors(modeler)) {
+    results.summary.ribbon_angle_deg = errors->angle_deg;
+    results.summary.ribbon_distance_m = errors->distance_m;
+  }
+  return results;
+}
+
+}  // namespace ribbon_mapper::eval

@@ -1,0 +1,133 @@
+// SPDX-FileCopyrightText: 2026 ribbon_mapper authors
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// The paper's experiment without ROS: see `experiment --help`.
+
+#include <cstdio>
+#include <exception>
+#include <fstream>
+#include <mutex>
+#include <optional>
+
+#include "eval/experiment/calibrate.hpp"
+#include "eval/experiment/experiment_options.hpp"
+#include "eval/experiment/run.hpp"
+#include "eval/experiment/sweep.hpp"
+#include "eval/results/run_log.hpp"
+#include "eval/results/spread.hpp"
+#include "modeler/io/atomic_file.hpp"
+#include "modeler/io/calibrated_preset.hpp"
+#include "modeler/program/figure.hpp"
+#include "modeler/program/installed_files.hpp"
+#include "modeler/program/progress_bar.hpp"
+
+namespace {
+
+using namespace ribbon_mapper;
+using namespace ribbon_mapper::eval;
+
+void run_one(const ExperimentOptions& options) {
+  create_directory_for_files(options.output);  // better now than after the tour
+  Summary summary;
+  {
+    ProgressBar bar;
+    const Results results = make_run(options.runs.front(), [&](const Progress& p) { bar.show(p); });
+    write_results(results, options.output);
+    summary = results.summary;
+  }
+  if (options.with_figure) draw_figure(Figure::before_after, options.output);
+  std::printf("%s\nresults in %s\n", summary_table(summary).c_str(), options.output.c_str());
+}
+
+/// For machines that share no disk: whoever started the runs gathers their lines.
+void print_lines(const ExperimentOptions& options) {
+  ProgressBar bar;
+  const auto line_of = [](const RunOptions& run, const ProgressCallback& progress) {
+    return run_line(make_run(run, progress).summary, inputs_of(run));
+  };
+  make_runs(options.runs, options.jobs, line_of, bar);
+}
+
+std::vector<RunOptions> missing_runs(const ExperimentOptions& options, const RunLog& log) {
+  std::vector<RunOptions> missing;
+  for (const RunOptions& run : options.runs) {
+    if (!log.has(run, inputs_of(run))) missing.push_back(run);
+  }
+  return missing;
+}
+
+void sweep(const ExperimentOptions& options, RunLog& log) {
+  const std::vector<RunOptions> missing = missing_runs(options, log);
+  if (missing.size() < options.runs.size()) {
+    std::printf("%zu of %zu runs are done already\n", options.runs.size() - missing.size(),
+                options.runs.size());
+  }
+  if (missing.empty()) return;
+  std::ofstream timings(options.output / "timings.jsonl", std::ios::app);
+  std::mutex mutex;
+  ProgressBar bar;
+  const std::size_t label_width = label_width_of(options.runs);
+  bar.print(spread_head(label_width));
+  const auto run_and_log = [&](const RunOptions& run, const ProgressCallback& progress) {
+    const Summary summary = make_run(run, progress).summary;
+    const std::string line = run_line(summary, inputs_of(run));
+    const std::lock_guard<std::mutex> lock(mutex);
+    log.append(line);
+    timings << timing_line(summary) << std::flush;
+    return spread_row(label_of(run, options.runs), record_of(line), label_width);
+  };
+  make_runs(missing, options.jobs, run_and_log, bar);
+}
+
+void run_sweep(const ExperimentOptions& options) {
+  create_directory_for_files(options.output);
+  RunLog log(options.output / "runs.jsonl");
+  sweep(options, log);
+  log.sort();
+  const std::vector<Record> records = log.records_of(options.runs);
+  write_file_atomically(options.output / "summary.json",
+                        sweep_summary_to_json(records, options.command));
+  const bool has_doses = records.front().run.drift != records.back().run.drift;
+  if (options.with_figure && has_doses) draw_figure(Figure::dose_response, options.output);
+  std::printf("%s\nresults in %s\n", spread_foot(records, label_width_of(options.runs)).c_str(),
+              options.output.c_str());
+}
+
+/// The preset, which names what it was learned from, and the figures.
+void calibrate(const ExperimentOptions& options) {
+  create_directory_for_files(options.output);
+  RunOptions run = options.runs.front();
+  if (run.route.empty()) {
+    run.route = find_shared(run.world).replace_extension().string() + "_calibration.route.yaml";
+  }
+  std::optional<Calibration> calibration;
+  {
+    ProgressBar bar;
+    calibration = make_calibration(run, [&](const Progress& p) { bar.show(p); });
+  }
+  const auto preset = options.output / "calibrated.yaml";
+  write_file_atomically(preset,
+                        calibrated_preset(modeler_config(run), *calibration, options.command));
+  std::printf("%s\npreset in %s\n", calibration_table(*calibration).c_str(), preset.c_str());
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  const auto options = parse_experiment_options(argc, argv);
+  if (const int* exit_code = std::get_if<int>(&options)) return *exit_code;
+  try {
+    const auto& chosen = std::get<ExperimentOptions>(options);
+    if (chosen.calibrate) {
+      calibrate(chosen);
+    } else if (chosen.line_only) {
+      print_lines(chosen);
+    } else {
+      chosen.is_sweep ? run_sweep(chosen) : run_one(chosen);
+    }
+    return 0;
+  } catch (const std::exception& error) {
+    std::fprintf(stderr, "experiment: %s\n", error.what());
+    return 1;
+  }
+}

@@ -1,0 +1,220 @@
+// SPDX-FileCopyrightText: 2026 ribbon_mapper authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "eval/experiment/experiment_options.hpp"
+
+#include <CLI/CLI.hpp>
+#include <cstdlib>
+#include <regex>
+#include <set>
+#include <sstream>
+#include <stdexcept>
+
+#include "sim/robot/hokuyo.hpp"
+#include "sim/robot/tilt_profile.hpp"
+#include "sim/world/resource_finder.hpp"
+
+namespace ribbon_mapper::eval {
+namespace {
+
+constexpr std::size_t kMaxSeeds = 100'000;
+
+constexpr const char* kDescription =
+    "Drives a simulated PR2 through a world, models what its tilting laser sees with noisy poses,\n"
+    "corrects the trajectory at the end and measures the planes against the truth.\n"
+    "Without any option: the apartment, seed 1, into results/experiment.\n"
+    "With several seeds, or lists such as --drift 0,1,2: a sweep of all combinations. Each run is "
+    "a\n"
+    "line in <output>/runs.jsonl; runs that are there already are not made again.";
+
+constexpr const char* kFooter =
+    "A world, route or preset that is not in the current folder is looked for in the package.\n"
+    "Exit code: 0 done, 1 the experiment could not be done, 2 wrong usage.";
+
+/// The lists as they are given: a sweep is over all combinations.
+struct Lists {
+  std::vector<std::string> worlds{RunOptions().world}, noises{RunOptions().noise},
+      tilts{RunOptions().tilt}, deskews;
+  std::vector<double> drifts{RunOptions().drift}, speeds_m_s;
+  std::vector<int> beams;
+  std::uint64_t seed = RunOptions().seed;
+  std::string seeds;
+  bool no_figure = false;
+};
+
+/// A check that says what `parse` throws.
+template <typename Parse>
+CLI::Validator accepted_by(Parse parse) {
+  return CLI::Validator(
+      [parse](const std::string& text) -> std::string {
+        try {
+          parse(text);
+          return "";
+        } catch (const std::invalid_argument& error) {
+          return error.what();
+        }
+      },
+      "");
+}
+
+/// CLI11's own range lets nan through.
+void require_drift(const std::string& text) {
+  double drift = -1.0;
+  if (CLI::detail::lexical_cast(text, drift) && drift >= 0.0 && drift <= 1000.0) return;
+  throw std::invalid_argument("'" + text + "' is not a number from 0 to 1000");
+}
+
+void require_speed(const std::string& text) {
+  double speed = 0.0;
+  if (CLI::detail::lexical_cast(text, speed) && speed >= 0.01 && speed <= 1.0) return;
+  throw std::invalid_argument("'" + text + "' is not a number from 0.01 to 1");
+}
+
+/// CLI11 takes -1 for a very large number.
+void require_seed(const std::string& text) {
+  const bool is_whole = text.find_first_not_of("0123456789") == std::string::npos;
+  if (is_whole && !text.empty() && text.size() <= 18) return;
+  throw std::invalid_argument("'" + text + "' is not a whole number from 0 on");
+}
+
+void add_run_options(CLI::App& app, RunOptions& run) {
+  app.add_option("--route", run.route, "route [<world>.route.yaml, beside the world]");
+  app.add_option("--config", run.config, "preset of the modeler")->capture_default_str();
+  app.add_option("--model-path", run.model_paths,
+                 "folder for model:// URIs, before GAZEBO_MODEL_PATH; may be repeated");
+}
+
+template <typename Value>
+CLI::Option* add_list(CLI::App& app, const char* name, std::vector<Value>& values,
+                      const char* meaning) {
+  return app.add_option(name, values, meaning)->delimiter(',')->allow_extra_args(false);
+}
+
+void add_list_options(CLI::App& app, Lists& lists) {
+  app.option_defaults()->group("Options; lists (a,b,c) are swept");
+  add_list(app, "--world", lists.worlds, "SDF world")->capture_default_str();
+  add_list(app, "--drift", lists.drifts, "scale of the localisation noise, 1: gmapping's")
+      ->check(accepted_by(require_drift))
+      ->capture_default_str();
+  add_list(app, "--noise", lists.noises, "of the laser: datasheet, gazebo, pomerleau or none")
+      ->check(accepted_by(sim::range_noise_from))
+      ->capture_default_str();
+  add_list(app, "--tilt", lists.tilts, "of the laser: manip, nav or slow")
+      ->check(accepted_by(sim::TiltProfileConfig::preset))
+      ->capture_default_str();
+  add_list(app, "--beams", lists.beams, "a quarter of a degree apart: 3 to 1080 [the PR2's 381]")
+      ->check(CLI::Range(3, 1080).description(""));
+  add_list(app, "--speed", lists.speeds_m_s,
+           "of the robot: 0.01 to 1 m/s; turns are scaled alike [the route's]")
+      ->check(accepted_by(require_speed));
+  add_list(app, "--deskew", lists.deskews, "on or off: beams at their own times [as the preset]")
+      ->check(CLI::IsMember({"on", "off"}).description(""));
+  app.option_defaults()->group("Options");
+  auto* seed = app.add_option("--seed", lists.seed, "of all noise")
+                   ->check(accepted_by(require_seed))
+                   ->capture_default_str();
+  app.add_option("--seeds", lists.seeds, "several, such as 1-20 or 1,3,5")
+      ->check(accepted_by(seeds_from))
+      ->excludes(seed);
+}
+
+void add_output_options(CLI::App& app, ExperimentOptions& options, bool& no_figure) {
+  app.add_option("--output", options.output, "folder for the results")->capture_default_str();
+  app.add_option("--jobs", options.jobs, "runs at a time; times are exact only with 1")
+      ->check(CLI::Range(1, 256).description(""))
+      ->capture_default_str();
+  app.add_flag("--no-figure", no_figure, "draw nothing");
+  app.add_flag("--line", options.line_only,
+               "print the lines of runs.jsonl and write no files, for runs on many machines");
+  app.add_flag("--calibrate", options.calibrate,
+               "learn V_sensor, V_slam and the tolerances before a known plane, write a preset");
+}
+
+/// Each run once with each of the values; as they are without any.
+template <typename Value, typename Set>
+void combine(std::vector<RunOptions>& runs, const std::vector<Value>& values, const Set& set) {
+  if (values.empty()) return;
+  std::vector<RunOptions> combined;
+  for (const RunOptions& run : runs) {
+    for (const Value& value : values) set(combined.emplace_back(run), value);
+  }
+  runs = std::move(combined);
+}
+
+std::vector<RunOptions> combinations(const Lists& lists, const RunOptions& common) {
+  std::vector<RunOptions> runs{common};
+  const auto seeds = lists.seeds.empty() ? std::vector{lists.seed} : seeds_from(lists.seeds);
+  combine(runs, lists.worlds, [](RunOptions& run, const auto& v) { run.world = v; });
+  combine(runs, lists.noises, [](RunOptions& run, const auto& v) { run.noise = v; });
+  combine(runs, lists.tilts, [](RunOptions& run, const auto& v) { run.tilt = v; });
+  combine(runs, lists.beams, [](RunOptions& run, int v) { run.beams = v; });
+  combine(runs, lists.speeds_m_s, [](RunOptions& run, double v) { run.speed_m_s = v; });
+  combine(runs, lists.deskews, [](RunOptions& run, const auto& v) { run.deskew = v == "on"; });
+  combine(runs, lists.drifts, [](RunOptions& run, double v) { run.drift = v; });
+  combine(runs, seeds, [](RunOptions& run, std::uint64_t v) { run.seed = v; });
+  return runs;
+}
+
+/// What cannot be said of one option alone.
+void require_fitting(const Lists& lists, const RunOptions& common) {
+  if (lists.worlds.size() > 1 && !common.route.empty()) {
+    throw CLI::ValidationError("--route", "one route does not fit several worlds: leave it out");
+  }
+}
+
+std::string joined(int argc, const char* const* argv) {
+  std::string command = "rosrun ribbon_mapper experiment";
+  for (int i = 1; i < argc; ++i) command += std::string(" ") + argv[i];
+  return command;
+}
+
+/// Folders of the environment come after those of the command line.
+void add_gazebo_paths(std::vector<std::string>& model_paths) {
+  const char* list = std::getenv("GAZEBO_MODEL_PATH");
+  if (list == nullptr) return;
+  for (const std::string& path : sim::split_path_list(list)) model_paths.push_back(path);
+}
+
+}  // namespace
+
+std::variant<ExperimentOptions, int> parse_experiment_options(int argc, const char* const* argv) {
+  ExperimentOptions options;
+  Lists lists;
+  RunOptions common;
+  CLI::App app(kDescription, "experiment");
+  app.footer(kFooter);
+  add_list_options(app, lists);
+  add_run_options(app, common);
+  add_output_options(app, options, lists.no_figure);
+  try {
+    app.parse(argc, argv);
+    require_fitting(lists, common);
+  } catch (const CLI::ParseError& error) {
+    return app.exit(error) == 0 ? 0 : 2;
+  }
+  add_gazebo_paths(common.model_paths);
+  options.runs = combinations(lists, common);
+  options.is_sweep = !lists.seeds.empty() || options.runs.size() > 1;
+  options.with_figure = !lists.no_figure;
+  options.command = joined(argc, argv);
+  return options;
+}
+
+std::vector<std::uint64_t> seeds_from(const std::string& list) {
+  static const std::regex form(R"((\d{1,18})(?:(?:-|\.\.)(\d{1,18}))?)");
+  std::set<std::uint64_t> seeds;
+  std::istringstream parts(list);
+  for (std::string part; std::getline(parts, part, ',');) {
+    std::smatch match;
+    const bool is_well_formed = std::regex_match(part, match, form);
+    const std::uint64_t first = is_well_formed ? std::stoull(match[1]) : 1;
+    const std::uint64_t last = is_well_formed && match[2].matched ? std::stoull(match[2]) : first;
+    if (!is_well_formed || last < first || last - first >= kMaxSeeds) {
+      throw std::invalid_argument("seeds: '" + part + "' is not a number or a range such as 1-20");
+    }
+    for (std::uint64_t seed = first; seed <= last; ++seed) seeds.insert(seed);
+  }
+  if (seeds.empty()) throw std::invalid_argument("seeds: none given; for example 1-20 or 1,3,5");
+  return {seeds.begin(), seeds.end()};
+}
+
+}  // namespace ribbon_mapper::eval

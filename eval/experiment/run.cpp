@@ -1,0 +1,49 @@
+// SPDX-FileCopyrightText: 2026 ribbon_mapper authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "eval/experiment/run.hpp"
+
+#include <mutex>
+
+#include "modeler/io/config_file.hpp"
+#include "modeler/program/installed_files.hpp"
+
+namespace ribbon_mapper::eval {
+
+sim::TourConfig tour_config(const RunOptions& run) {
+  sim::TourConfig config;
+  config.seed = run.seed;
+  config.hokuyo.noise = sim::range_noise_from(run.noise);
+  config.tilt = sim::TiltProfileConfig::preset(run.tilt);
+  config.localisation.drift = run.drift;
+  if (run.beams) config.hokuyo.set_beams(*run.beams);
+  return config;
+}
+
+ModelerConfig modeler_config(const RunOptions& run) {
+  ModelerConfig config = load_config(find_shared(run.config).string());
+  if (run.deskew) config.scan.deskew = *run.deskew;
+  return config;
+}
+
+/// Neither the contact test of a world nor its reader is for several threads at once.
+sim::World load_world(const RunOptions& run) {
+  static std::mutex mutex;
+  const std::lock_guard<std::mutex> lock(mutex);
+  return sim::World::load(find_shared(run.world).string(), run.model_paths);
+}
+
+sim::Route load_route(const RunOptions& run) {
+  const sim::Route route = sim::Route::load(route_path(run).string());
+  return run.speed_m_s ? route.at_speed(*run.speed_m_s) : route;
+}
+
+Results make_run(const RunOptions& run, const ProgressCallback& progress) {
+  const ModelerConfig config = modeler_config(run);
+  const sim::World world = load_world(run);
+  Results results = run_experiment(world, load_route(run), tour_config(run), config, progress);
+  results.summary.run = recorded(run);
+  results.summary.command = command_of(run);
+  return results;
+}
+
+}  // namespace ribbon_mapper::eval

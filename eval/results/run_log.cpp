@@ -1,0 +1,127 @@
+// SPDX-FileCopyrightText: 2026 ribbon_mapper authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "eval/results/run_log.hpp"
+
+#include <algorithm>
+#include <fstream>
+#include <nlohmann/json.hpp>
+#include <set>
+#include <stdexcept>
+
+#include "modeler/io/atomic_file.hpp"
+#include "modeler/program/version.hpp"
+
+namespace ribbon_mapper::eval {
+namespace {
+
+using Json = nlohmann::json;
+
+template <typename Value>
+std::optional<Value> optional_of(const Json& json) {
+  if (json.is_null()) return std::nullopt;
+  return json.get<Value>();
+}
+
+RunOptions run_of(const Json& json) {
+  RunOptions run;
+  run.world = json.at("world").get<std::string>();
+  run.route = json.at("route").get<std::string>();
+  run.config = json.at("config").get<std::string>();
+  run.noise = json.at("noise").get<std::string>();
+  run.tilt = json.at("tilt").get<std::string>();
+  run.beams = optional_of<int>(json.at("beams"));
+  run.speed_m_s = optional_of<double>(json.at("speed_m_s"));
+  run.deskew = optional_of<bool>(json.at("deskew"));
+  run.drift = json.at("drift").get<double>();
+  run.seed = json.at("seed").get<std::uint64_t>();
+  return run;
+}
+
+/// What says under which conditions a run was made is no figure of it.
+void remove_conditions(Json& json) {
+  for (const char* key : {"beams", "speed_m_s", "drift", "seed"}) json.erase(key);
+}
+
+void collect(const Json& json, const std::string& prefix, std::map<std::string, double>& figures) {
+  for (const auto& [key, value] : json.items()) {
+    if (value.is_object()) collect(value, prefix + key + ".", figures);
+    if (value.is_number()) figures[prefix + key] = value.get<double>();
+  }
+}
+
+}  // namespace
+
+Record record_of(const std::string& line) {
+  try {
+    Json json = Json::parse(line);
+    Record record{run_of(json), json.at("inputs"), json.at("version"), line, {}};
+    remove_conditions(json);
+    collect(json, "", record.figures);
+    return record;
+  } catch (const Json::exception& error) {
+    throw std::invalid_argument(std::string("not a run of the experiment: ") + error.what());
+  }
+}
+
+RunLog::RunLog(std::filesystem::path path) : path_(std::move(path)) {
+  std::ifstream file(path_, std::ios::binary);
+  std::string line;
+  bool is_cut_off = false;
+  for (std::size_t number = 1; std::getline(file, line); ++number) {
+    is_cut_off = file.eof();  // the end of the file came before that of the line
+    if (!is_cut_off) enter(line + "\n", number);
+  }
+  file.close();
+  if (is_cut_off) sort();
+}
+
+void RunLog::enter(const std::string& line, std::size_t number) {
+  const std::string place = path_.string() + ", line " + std::to_string(number) + ": ";
+  const std::string advice = "; choose another --output, or move the file away";
+  try {
+    Record record = record_of(line);
+    if (record.version != version()) {
+      throw std::invalid_argument("a run of version " + record.version + ", this is " + version());
+    }
+    records_.emplace(record.run, std::move(record));
+  } catch (const std::invalid_argument& error) {
+    throw std::runtime_error(place + error.what() + advice);
+  }
+}
+
+bool RunLog::has(const RunOptions& run, const std::string& inputs) const {
+  const auto found = records_.find(recorded(run));
+  if (found == records_.end()) return false;
+  if (found->second.inputs == inputs) return true;
+  throw std::runtime_error(path_.string() + ": the world, the route or the preset of '" +
+                           command_of(run) +
+                           "' has changed since it was run; choose another --output, or move the "
+                           "file away");
+}
+
+void RunLog::append(const std::string& line) {
+  Record record = record_of(line);
+  std::ofstream file(path_, std::ios::binary | std::ios::app);
+  file << line << std::flush;
+  if (!file) throw std::runtime_error(path_.string() + ": cannot be written; is the disk full?");
+  records_.emplace(record.run, std::move(record));
+}
+
+void RunLog::sort() const {
+  std::string text;
+  for (const auto& [run, record] : records_) text += record.line;
+  write_file_atomically(path_, text);
+}
+
+std::vector<Record> RunLog::records_of(const std::vector<RunOptions>& runs) const {
+  std::set<RunOptions, Before> wanted;
+  for (const RunOptions& run : runs) wanted.insert(recorded(run));
+  std::vector<Record> records;
+  for (const RunOptions& run : wanted) {
+    const auto found = records_.find(run);
+    if (found != records_.end()) records.push_back(found->second);
+  }
+  return records;
+}
+
+}  // namespace ribbon_mapper::eval

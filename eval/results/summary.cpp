@@ -1,0 +1,204 @@
+// SPDX-FileCopyrightText: 2026 ribbon_mapper authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "eval/results/summary.hpp"
+
+#include <array>
+#include <cstdio>
+#include <nlohmann/json.hpp>
+
+#include "modeler/program/version.hpp"
+
+namespace ribbon_mapper::eval {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+Json to_json(const std::optional<double>& value) { return value ? Json(*value) : Json(nullptr); }
+
+Json to_json(const MapMetrics& m) {
+  return {{"planes", m.planes},
+          {"matched", m.matched},
+          {"missed", m.missed.size()},
+          {"extra", m.extra.size()},
+          {"duplicates", m.duplicates.size()},
+          {"precision", m.precision},
+          {"recall", m.recall},
+          {"f1", m.f1},
+          {"coverage", m.coverage},
+          {"duplication_ratio", to_json(m.duplication_ratio)},
+          {"angle_error_deg_mean", to_json(m.angle_error_deg_mean)},
+          {"angle_error_deg_median", to_json(m.angle_error_deg_median)},
+          {"offset_error_m_mean", to_json(m.offset_error_m_mean)},
+          {"offset_error_m_median", to_json(m.offset_error_m_median)}};
+}
+
+Json to_json(const SegComp& s) {
+  return {{"correct", s.correct},
+          {"over", s.over},
+          {"under", s.under},
+          {"missed", s.missed.size()},
+          {"noise", s.noise.size()},
+          {"correct_share", s.correct_share},
+          {"correct_points_share", s.correct_points_share}};
+}
+
+Json to_json(const Evops& e) {
+  return {{"matched", e.matched},
+          {"precision", e.precision},
+          {"recall", e.recall},
+          {"f1", e.f1},
+          {"under_segmented", e.under_segmented},
+          {"over_segmented", e.over_segmented},
+          {"noise", e.noise},
+          {"missed", e.missed}};
+}
+
+/// One cell by the planes, and by their points where these are known.
+Json cell_to_json(const MapMetrics& planes, const PointMetrics* points) {
+  Json json = to_json(planes);
+  json["segcomp"] = points ? to_json(points->segcomp) : Json(nullptr);
+  json["evops"] = points ? to_json(points->evops) : Json(nullptr);
+  json["point_duplicates"] = points ? Json(points->duplication.duplicates) : Json(nullptr);
+  json["point_duplication_ratio"] = points ? to_json(points->duplication.ratio) : Json(nullptr);
+  json["segcomp_all"] = points ? to_json(points->segcomp_all) : Json(nullptr);
+  return json;
+}
+
+Json cells_to_json(const Summary& s) {
+  const PerCell<PointMetrics>* p = s.points ? &*s.points : nullptr;
+  return {
+      {"noisy_as_built", cell_to_json(s.cells.noisy_as_built, p ? &p->noisy_as_built : nullptr)},
+      {"noisy", cell_to_json(s.cells.noisy, p ? &p->noisy : nullptr)},
+      {"corrected_as_built",
+       cell_to_json(s.cells.corrected_as_built, p ? &p->corrected_as_built : nullptr)},
+      {"corrected", cell_to_json(s.cells.corrected, p ? &p->corrected : nullptr)}};
+}
+
+template <typename... Arguments>
+std::string format(const char* pattern, Arguments... arguments) {
+  std::array<char, 512> line;
+  std::snprintf(line.data(), line.size(), pattern, arguments...);
+  return line.data();
+}
+
+std::string or_dash(const std::optional<double>& value, double scale, int decimals) {
+  return value ? format("%.*f", decimals, *value * scale) : "-";
+}
+
+std::string table_row(const char* name, const MapMetrics& m) {
+  return format("%-32s %6zu %8zu %7zu %6zu %11zu %6.3f %9.1f %10s %11s\n", name, m.planes,
+                m.matched, m.missed.size(), m.extra.size(), m.duplicates.size(), m.f1,
+                100.0 * m.coverage, or_dash(m.angle_error_deg_mean, 1.0, 2).c_str(),
+                or_dash(m.offset_error_m_mean, 1000.0, 1).c_str());
+}
+
+std::string table_row(const char* name, const PointMetrics& m) {
+  const SegComp& s = m.segcomp;
+  return format("%-32s %6zu %8zu %7zu %6zu %11zu %6.3f %9.1f %10.1f %11zu\n", name, s.correct,
+                s.over, s.under, s.missed.size(), s.noise.size(), m.evops.f1,
+                100.0 * s.correct_points_share, 100.0 * s.correct_share, m.duplication.duplicates);
+}
+
+template <typename Metrics>
+std::string table_rows(const PerCell<Metrics>& cells) {
+  return table_row("noisy, as built", cells.noisy_as_built) +
+         table_row("noisy, merged and filtered", cells.noisy) +
+         table_row("corrected, as built", cells.corrected_as_built) +
+         table_row("corrected, merged and filtered", cells.corrected);
+}
+
+std::string points_table(const PerCell<PointMetrics>& points) {
+  return format("\n%-32s %6s %8s %7s %6s %11s %6s %9s %10s %11s\n", "by points (SegComp, EVOPS)",
+                "right", "over", "under", "missed", "noise", "f1", "points %", "planes %",
+                "duplicates") +
+         table_rows(points);
+}
+
+Json text_or_null(const std::string& text) { return text.empty() ? Json(nullptr) : Json(text); }
+
+template <typename Value>
+Json value_or_null(const std::optional<Value>& value) {
+  return value ? Json(*value) : Json(nullptr);
+}
+
+Json to_json(const RunOptions& run) {
+  return {{"world", run.world},
+          {"route", run.route},
+          {"config", text_or_null(run.config)},
+          {"noise", text_or_null(run.noise)},
+          {"tilt", text_or_null(run.tilt)},
+          {"beams", value_or_null(run.beams)},
+          {"speed_m_s", value_or_null(run.speed_m_s)},
+          {"deskew", value_or_null(run.deskew)},
+          {"drift", run.drift},
+          {"seed", run.seed}};
+}
+
+Json times_of(const Summary& s) {
+  return {{"us_per_line", s.us_per_line},
+          {"correction_ms", s.correction_ms},
+          {"real_time_factor", s.real_time_factor}};
+}
+
+/// The figures, without the times.
+Json figures_of(const Summary& s) {
+  const MapMetrics& result = s.cells.corrected;
+  Json json{{"lines", s.lines},
+            {"dropped_lines", s.dropped_lines},
+            {"ribbons", s.ribbons},
+            {"truth_planes", result.truth},
+            {"planes_noisy_as_built", s.cells.noisy_as_built.planes},
+            {"planes_noisy", s.cells.noisy.planes},
+            {"planes_corrected_as_built", s.cells.corrected_as_built.planes},
+            {"planes_corrected", result.planes}};
+  Json metrics = to_json(result);
+  metrics.erase("planes");
+  json.update(metrics);
+  json.update({{"ribbon_angle_deg", to_json(s.ribbon_angle_deg)},
+               {"ribbon_distance_m", to_json(s.ribbon_distance_m)},
+               {"end_drift_m", s.end_drift_m},
+               {"end_drift_deg", s.end_drift_deg}});
+  return json;
+}
+
+}  // namespace
+
+std::string summary_to_json(const Summary& s) {
+  Json json = to_json(s.run);
+  json.update(figures_of(s));
+  json.update(times_of(s));
+  json.update({{"four_cells", cells_to_json(s)}, {"command", s.command}, {"version", version()}});
+  return json.dump(2) + "\n";
+}
+
+std::string run_line(const Summary& s, const std::string& inputs) {
+  Json json = to_json(s.run);
+  json.update(figures_of(s));
+  json.update({{"four_cells", cells_to_json(s)},
+               {"command", s.command},
+               {"inputs", inputs},
+               {"version", version()}});
+  return json.dump() + "\n";
+}
+
+std::string timing_line(const Summary& s) {
+  Json json = to_json(s.run);
+  json.update(times_of(s));
+  return json.dump() + "\n";
+}
+
+std::string summary_table(const Summary& s) {
+  return format("%-32s %6s %8s %7s %6s %11s %6s %9s %10s %11s\n", "trajectory, model", "planes",
+                "matched", "missed", "extra", "duplicates", "f1", "covered %", "angle deg",
+                "offset mm") +
+         table_rows(s.cells) + format("%-32s %6zu\n", "truth", s.cells.corrected.truth) +
+         (s.points ? points_table(*s.points) : "") +
+         format(
+             "\n%zu lines (%zu dropped), %zu ribbons, %.0f us per line, %.1f x real time; the "
+             "robot "
+             "ended %.2f m and %.1f deg off; corrected in %.0f ms\n",
+             s.lines, s.dropped_lines, s.ribbons, s.us_per_line, s.real_time_factor, s.end_drift_m,
+             s.end_drift_deg, s.correction_ms);
+}
+
+}  // namespace ribbon_mapper::eval

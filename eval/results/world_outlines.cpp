@@ -1,0 +1,18 @@
+// SPDX-FileCopyrightText: 2026 ribbon_mapper authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "eval/results/world_outlines.hpp"
+
+#include "eval/metrics/chains.hpp"
+
+namespace ribbon_mapper::eval {
+
+std::vector<std::vector<Eigen::Vector2d>> world_outlines(const sim::World& world) {
+  constexpr double kTolerance_m = 0.005;  // thinner than a line in the figure
+  std::vector<Segment> segments;
+  for (const double z_m : {0.4, 0.73, 1.5}) {
+    for (const Segment& segment : world.outlines_at(z_m)) segments.push_back(segment);
+  }
+  return chains_of(segments, kTolerance_m);  // what several heights share is there once
+}
+
+}  // namespace ribbon_mapper::eval

@@ -1,0 +1,15 @@
+// SPDX-FileCopyrightText: 2026 ribbon_mapper authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <Eigen/Core>
+#include <vector>
+
+#include "sim/world/world.hpp"
+
+namespace ribbon_mapper::eval {
+
+/// Where the world's surfaces cut the heights of a seat, a table and a head, for the figure [m].
+std::vector<std::vector<Eigen::Vector2d>> world_outlines(const sim::World& world);
+
+}  // namespace ribbon_mapper::eval

@@ -1,0 +1,83 @@
+// SPDX-FileCopyrightText: 2026 ribbon_mapper authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "modeler/assembly/model_quality.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "modeler/surface/footprint.hpp"
+
+namespace ribbon_mapper {
+namespace {
+
+bool touches(const Plane& smaller, const Footprint& larger, double max_offset_m) {
+  return std::any_of(smaller.cells.begin(), smaller.cells.end(), [&](const PlaneCell& cell) {
+    return larger.holds(cell_centre(smaller, cell), max_offset_m);
+  });
+}
+
+bool is_duplicate(const Plane& smaller, const Footprint& footprint, const DuplicateRule& rule) {
+  const Plane& larger = footprint.plane();
+  const double cosine = std::cos(rule.max_angle_deg * M_PI / 180.0);
+  return smaller.normal.dot(larger.normal) > cosine &&
+         std::abs(larger.normal.dot(smaller.centroid) + larger.d_m) < rule.max_offset_m &&
+         touches(smaller, footprint, rule.max_offset_m);
+}
+
+/// Share of a normal distribution (mean, sigma) within +-`limit`.
+double share_within(double limit, double mean, double sigma) {
+  if (sigma <= 0.0) return std::abs(mean) <= limit ? 1.0 : 0.0;
+  const double scale = 1.0 / (sigma * M_SQRT2);
+  return 0.5 * (std::erf((limit - mean) * scale) - std::erf((-limit - mean) * scale));
+}
+
+double points_within(double limit_m, const std::vector<Plane>& planes) {
+  double points = 0.0;
+  for (const Plane& plane : planes) {
+    for (const PlaneCell& cell : plane.cells) {
+      points += cell.count * share_within(limit_m, cell.mean_m, std::sqrt(cell.variance_m2));
+    }
+  }
+  return points;
+}
+
+}  // namespace
+
+std::vector<std::size_t> duplicates_of_larger(const std::vector<Plane>& planes,
+                                              const DuplicateRule& rule) {
+  std::vector<std::size_t> duplicates;
+  std::vector<Footprint> footprints;
+  for (const Plane& plane : planes) footprints.emplace_back(plane, rule.touching_m);
+  for (std::size_t i = 0; i < planes.size(); ++i) {
+    for (std::size_t j = 0; j < planes.size(); ++j) {
+      const bool j_is_larger = planes[j].area_m2 > planes[i].area_m2 ||
+                               (planes[j].area_m2 == planes[i].area_m2 && j < i);
+      if (!j_is_larger || !is_duplicate(planes[i], footprints[j], rule)) continue;
+      duplicates.push_back(i);
+      break;
+    }
+  }
+  return duplicates;
+}
+
+std::optional<double> median_residual_m(const std::vector<Plane>& planes) {
+  const double half = 0.5 * static_cast<double>(point_count(planes));
+  if (half <= 0.0) return std::nullopt;
+  double low = 0.0, high = 1e-3;
+  while (points_within(high, planes) < half && high < 1e6) high *= 2.0;
+  while (high - low > 1e-6) {
+    const double middle = 0.5 * (low + high);
+    (points_within(middle, planes) < half ? low : high) = middle;
+  }
+  return high;
+}
+
+std::size_t point_count(const std::vector<Plane>& planes) {
+  std::size_t count = 0;
+  for (const Plane& plane : planes) {
+    for (const PlaneCell& cell : plane.cells) count += cell.count;
+  }
+  return count;
+}
+
+}  // namespace ribbon_mapper

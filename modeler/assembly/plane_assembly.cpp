@@ -1,0 +1,166 @@
+// SPDX-FileCopyrightText: 2026 ribbon_mapper authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "modeler/assembly/plane_assembly.hpp"
+
+#include <algorithm>
+#include <optional>
+
+#include "modeler/assembly/pieces.hpp"
+#include "modeler/assembly/point_assignment.hpp"
+#include "modeler/assembly/spurious_planes.hpp"
+#include "modeler/surface/curvature.hpp"
+#include "modeler/surface/outline.hpp"
+#include "modeler/surface/surface.hpp"
+
+namespace ribbon_mapper {
+namespace {
+
+/// False if a hypothesis has too few ribbons to be confirmed, or if even the cells of all their
+/// samples cannot have this area.
+bool is_promising(double area_m2, const Hypothesis& hypothesis, const Observations& observations,
+                  const PlaneMapConfig& config) {
+  if (hypothesis.members().size() < static_cast<std::size_t>(config.confirmed_ribbons)) {
+    return false;
+  }
+  double max_m2 = 0.0;
+  for (const Member& member : hypothesis.members()) {
+    max_m2 +=
+        observations.source(member.ribbon).samples.size * config.cell_size_m * config.cell_size_m;
+    if (max_m2 >= area_m2) return true;
+  }
+  return false;
+}
+
+/// A facet of a column is no plane.
+bool is_curved(const Plane& plane, const PlaneMapConfig& config) {
+  const Curvature curvature = curvature_of(plane);
+  return curvature.bend - config.curvature_sigmas * curvature.sigma > 1.0 / config.min_radius_m &&
+         curvature.sagitta_m > config.flat_within_m;
+}
+
+/// Things side by side whose faces are almost in line (a row of chairs) pass for one plane, but not
+/// for a flat one: four fifths of a plane's cells lie within a sigma of a single ribbon (the gate
+/// is two of them), as a cell is the mean of several. Large planes may sag.
+bool is_row_of_things(const Plane& plane, const AssociationGates& gates,
+                      const PlaneMapConfig& config) {
+  if (plane.area_m2 > 4.0 * config.min_area_m2) return false;
+  return cell_scatter_m(plane).value_or(0.0) > 0.5 * gates.distance_m;
+}
+
+void move(Plane& plane, const Pose& T_map_model) {
+  plane.normal = T_map_model.linear() * plane.normal;
+  plane.axis_u = T_map_model.linear() * plane.axis_u;
+  plane.axis_v = T_map_model.linear() * plane.axis_v;
+  plane.origin = T_map_model * plane.origin;
+  plane.centroid = T_map_model * plane.centroid;
+  plane.d_m = -plane.normal.dot(plane.origin);
+}
+
+std::vector<Surface> without_spurious_planes(std::vector<Surface> surfaces,
+                                             const PlaneMapConfig& config) {
+  std::vector<const Plane*> planes;
+  for (const Surface& surface : surfaces) planes.push_back(&surface.plane());
+  const std::vector<bool> bevels = are_spurious(planes, config);
+  std::vector<Surface> kept;
+  for (std::size_t i = 0; i < surfaces.size(); ++i) {
+    if (!bevels[i]) kept.push_back(std::move(surfaces[i]));
+  }
+  return kept;
+}
+
+/// Takes out what is too small, curved or a bevel; the others by id, in the map frame.
+std::vector<Plane> finished(std::vector<Surface> surfaces, double min_area_m2,
+                            const Observations& observations, const PlaneMapConfig& config) {
+  std::vector<Plane> planes;
+  for (Surface& surface : surfaces) {
+    if (surface.plane().area_m2 < min_area_m2 || is_curved(surface.plane(), config)) continue;
+    planes.push_back(surface.take_plane());
+  }
+  planes = without_spurious_planes(std::move(planes), config);
+  for (Plane& plane : planes) move(plane, observations.T_map_model());
+  std::sort(planes.begin(), planes.end(),
+            [](const Plane& a, const Plane& b) { return a.id < b.id; });
+  return planes;
+}
+
+/// Takes hypotheses apart and collects the surfaces of what belongs together.
+class Assembly {
+ public:
+  Assembly(const AssociationGates& gates, const Observations& observations,
+           const PlaneMapConfig& config)
+      : gates_(gates),
+        observations_(observations),
+        config_(config),
+        // Small ones, too: points that lie on them are not to be given to others.
+        min_m2_(std::min(config.confirmed_area_m2, config.min_area_m2)) {}
+
+  void add(const Hypothesis& whole) {
+    std::optional<Surface> surface = surface_of(whole);
+    if (!surface) return;
+    const auto pieces = split(whole, surface->plane(), config_.stripe_gap_m, observations_);
+    if (pieces.size() == 1) return surfaces_.push_back(std::move(*surface));
+    const auto groups = agreeing(pieces, gates_, config_.bridged_gap_m);
+    if (groups.size() == 1) return add_connected(whole, std::move(*surface));
+    for (const Hypothesis& group : groups) {
+      if (auto grouped = surface_of(group)) add_connected(group, std::move(*grouped));
+    }
+  }
+
+  std::vector<Surface> take() { return std::move(surfaces_); }
+
+ private:
+  /// Nothing if it is too small to matter.
+  std::optional<Surface> surface_of(const Hypothesis& hypothesis) const {
+    if (!is_promising(min_m2_, hypothesis, observations_, config_)) return std::nullopt;
+    Surface surface(hypothesis, observations_, config_);
+    if (surface.plane().area_m2 < min_m2_) return std::nullopt;
+    return surface;
+  }
+
+  void add_connected(const Hypothesis& group, Surface surface) {
+    const auto parts = split(group, surface.plane(), config_.bridged_gap_m, observations_);
+    if (parts.size() == 1) return surfaces_.push_back(std::move(surface));
+    for (const Hypothesis& part : parts) {
+      if (auto connected = surface_of(part)) surfaces_.push_back(std::move(*connected));
+    }
+  }
+
+  const AssociationGates& gates_;
+  const Observations& observations_;
+  const PlaneMapConfig& config_;
+  double min_m2_;
+  std::vector<Surface> surfaces_;
+};
+
+}  // namespace
+
+std::vector<Plane> confirmed_planes(const std::vector<Hypothesis>& hypotheses,
+                                    const Observations& observations,
+                                    const PlaneMapConfig& config) {
+  std::vector<Surface> surfaces;
+  for (const Hypothesis& hypothesis : hypotheses) {
+    if (!is_promising(config.confirmed_area_m2, hypothesis, observations, config)) continue;
+    surfaces.emplace_back(hypothesis, observations, config);
+  }
+  return finished(std::move(surfaces), config.confirmed_area_m2, observations, config);
+}
+
+std::vector<Plane> filtered_planes(const std::vector<Hypothesis>& hypotheses,
+                                   const AssociationGates& gates, const Observations& observations,
+                                   const PlaneMapConfig& config) {
+  Assembly assembly(gates, observations, config);
+  for (const Hypothesis& hypothesis : hypotheses) assembly.add(hypothesis);
+  std::vector<Surface> surfaces = without_spurious_planes(assembly.take(), config);
+  assign_points(observations, config, surfaces);
+  surfaces.erase(std::remove_if(surfaces.begin(), surfaces.end(),
+                                [&](const Surface& surface) {
+                                  return is_row_of_things(surface.plane(), gates, config);
+                                }),
+                 surfaces.end());
+  std::vector<Plane> planes =
+      finished(std::move(surfaces), config.min_area_m2, observations, config);
+  for (Plane& plane : planes) plane.outline = outline_of(plane, config.bridged_gap_m);
+  return planes;
+}
+
+}  // namespace ribbon_mapper

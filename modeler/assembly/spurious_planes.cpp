@@ -1,0 +1,159 @@
+// SPDX-FileCopyrightText: 2026 ribbon_mapper authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "modeler/assembly/spurious_planes.hpp"
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+#include <optional>
+
+#include "modeler/surface/footprint.hpp"
+
+namespace ribbon_mapper {
+namespace {
+
+/// A plane's cells by rows, with how far the points in them were from it.
+class Sheet {
+ public:
+  explicit Sheet(const Plane& plane) : plane_(&plane) {
+    if (plane.cells.empty()) return;
+    Eigen::AlignedBox2i grid;
+    const PlaneCell* const end = plane.cells.data() + plane.cells.size();
+    for (const PlaneCell *row = plane.cells.data(), *next = row; row != end; row = next) {
+      for (; next != end && next->v == row->v; ++next) {
+        max_m_ = std::max(max_m_, std::abs(next->mean_m));
+      }
+      rows_.push_back({row, next});
+      grid.extend(Eigen::Vector2i(row->u, row->v)).extend(Eigen::Vector2i(next[-1].u, row->v));
+    }
+    for (const int u : {grid.min().x(), grid.max().x() + 1}) {
+      for (const int v : {grid.min().y(), grid.max().y() + 1}) {
+        const Eigen::Vector3d corner = grid_corner(plane, u, v);
+        box_.extend(corner + max_m_ * plane.normal);
+        box_.extend(corner - max_m_ * plane.normal);
+      }
+    }
+  }
+
+  const Plane& plane() const { return *plane_; }
+  const Eigen::AlignedBox3d& box() const { return box_; }  ///< around all points
+
+  /// Calls function(index, point) for each cell, and where its points were on average, that lies
+  /// within `reach_m` of another plane. Along a row, distances from that are linear.
+  template <typename Function>
+  void for_each_near(const Plane& other, double reach_m, const Function& function) const {
+    const double slope = plane_->cell_size_m * other.normal.dot(plane_->axis_u);
+    const double steepness = std::max(1e-9, std::abs(slope));
+    const double slack_m = reach_m + max_m_ * std::abs(other.normal.dot(plane_->normal));
+    const double half = slack_m / steepness + 1.0;
+    for (const Row& row : rows_) {
+      const Eigen::Vector3d start = cell_centre(*plane_, {0, row.begin->v});
+      const double middle =
+          -(other.normal.dot(start) + other.d_m) / std::copysign(steepness, slope);
+      const PlaneCell* cell = std::lower_bound(
+          row.begin, row.end, middle - half, [](const PlaneCell& a, double u) { return a.u < u; });
+      for (; cell != row.end && cell->u <= middle + half; ++cell) {
+        const Eigen::Vector3d point = cell_centre(*plane_, *cell) + cell->mean_m * plane_->normal;
+        if (std::abs(other.normal.dot(point) + other.d_m) > reach_m) continue;
+        function(static_cast<std::size_t>(cell - plane_->cells.data()), point);
+      }
+    }
+  }
+
+ private:
+  struct Row {
+    const PlaneCell *begin, *end;
+  };
+
+  const Plane* plane_;
+  float max_m_ = 0.0F;
+  std::vector<Row> rows_;
+  Eigen::AlignedBox3d box_;
+};
+
+/// A plane that others may lie on.
+class Ground {
+ public:
+  Ground(const Sheet& sheet, const PlaneMapConfig& config)
+      : plane_(&sheet.plane()), config_(&config), box_(sheet.box()) {
+    const double margin_m = config.bridged_gap_m + config.on_plane_m;  // twice the wider reach
+    box_.min().array() -= margin_m;
+    box_.max().array() += margin_m;
+  }
+
+  bool is_near(const Eigen::AlignedBox3d& box) const { return box_.intersects(box); }
+
+  /// Marks the cells of `other` that lie on this plane, as measured.
+  void explain(const Sheet& other, std::vector<bool>& explained) {
+    const double cosine = plane_->normal.dot(other.plane().normal);
+    if (cosine <= 0.0) return;  // the back of a thin wall is no part of its front
+    const bool is_spurious_splinter = cosine > min_cosine_of_spurious;
+    other.for_each_near(*plane_, config_->on_plane_m, [&](std::size_t i, const auto& point) {
+      if (explained[i]) return;
+      const Footprint& around = is_spurious_splinter
+                                    ? footprint(beyond_gap_, 0.5 * config_->bridged_gap_m)
+                                    : footprint(beside_, config_->beside_plane_m);
+      explained[i] = around.holds(point, config_->on_plane_m);
+    });
+  }
+
+ private:
+  static constexpr double min_cosine_of_spurious = 0.985;  // 10 degrees
+
+  /// Made when it is first asked for.
+  const Footprint& footprint(std::optional<Footprint>& made, double reach_m) {
+    if (!made) made.emplace(*plane_, reach_m);
+    return *made;
+  }
+
+  const Plane* plane_;
+  const PlaneMapConfig* config_;
+  Eigen::AlignedBox3d box_;
+  std::optional<Footprint> beside_, beyond_gap_;
+};
+
+bool is_spurious(const Sheet& sheet, std::vector<Ground>& larger) {
+  const std::size_t cells = sheet.plane().cells.size();
+  std::vector<bool> explained(cells, false);
+  for (Ground& ground : larger) {
+    if (ground.is_near(sheet.box())) ground.explain(sheet, explained);
+  }
+  const auto count = std::count(explained.begin(), explained.end(), true);
+  return 2 * static_cast<std::size_t>(count) > cells;
+}
+
+}  // namespace
+
+std::vector<bool> are_spurious(const std::vector<const Plane*>& planes,
+                               const PlaneMapConfig& config) {
+  std::vector<std::size_t> order(planes.size());
+  std::iota(order.begin(), order.end(), std::size_t{0});
+  std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
+    return planes[a]->area_m2 > planes[b]->area_m2;
+  });
+  std::vector<bool> bevels(planes.size());
+  std::vector<Ground> larger;
+  for (const std::size_t i : order) {
+    const Sheet sheet(*planes[i]);
+    bevels[i] = is_spurious(sheet, larger);
+    if (!bevels[i]) larger.emplace_back(sheet, config);
+  }
+  return bevels;
+}
+
+std::vector<Plane> without_spurious_planes(std::vector<Plane> planes,
+                                           const PlaneMapConfig& config) {
+  std::stable_sort(planes.begin(), planes.end(),
+                   [](const Plane& a, const Plane& b) { return a.area_m2 > b.area_m2; });
+  std::vector<const Plane*> pointers;
+  for (const Plane& plane : planes) pointers.push_back(&plane);
+  const std::vector<bool> bevels = are_spurious(pointers, config);
+  std::vector<Plane> kept;
+  for (std::size_t i = 0; i < planes.size(); ++i) {
+    if (!bevels[i]) kept.push_back(std::move(planes[i]));
+  }
+  return kept;
+}
+
+}  // namespace ribbon_mapper

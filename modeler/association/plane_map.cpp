@@ -1,0 +1,215 @@
+// SPDX-FileCopyrightText: 2026 ribbon_mapper authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "modeler/association/plane_map.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <unordered_set>
+
+#include "modeler/geometry/vector_storage.hpp"
+
+namespace ribbon_mapper {
+namespace {
+
+constexpr std::int64_t no_id = -1;
+
+}  // namespace
+
+PlaneMap::PlaneMap(const PlaneMapConfig& config, const AssociationGates& gates,
+                   std::int64_t first_id)
+    : gates_(gates),
+      min_cosine_(static_cast<float>(min_cosine(gates)) - 1e-4F),
+      max_distance_m_(static_cast<float>(gates.distance_m) + 1e-3F),
+      reach_(std::sqrt(2.0 - 2.0 * min_cosine(gates)) + 1e-4),
+      index_(config.bridged_gap_m),
+      next_id_(first_id) {}
+
+void PlaneMap::add(const PosedRibbon& ribbon, std::uint32_t index) {
+  const Eigen::Vector3f normal = ribbon.normal.cast<float>();
+  const Eigen::Vector3f centroid = ribbon.centroid.cast<float>();
+  const auto is_parallel = [&](std::uint32_t slot) {
+    return sides_[slot].normal.dot(normal) >= min_cosine_;
+  };
+  const auto is_close = [&](std::uint32_t slot) {
+    const Side& side = sides_[slot];
+    return std::abs(side.normal.dot(centroid) + side.d_m) <= max_distance_m_;
+  };
+  index_.voxels_of(ribbon, voxels_);
+  index_.near(voxels_, cube_side(ribbon.normal), is_parallel, near_);
+  std::optional<double> least;
+  std::uint32_t slot = 0;
+  others_.clear();
+  for (const std::uint32_t candidate : near_) {
+    if (!is_close(candidate)) continue;
+    const auto sigmas = square_sigmas(ribbon, hypotheses_[candidate], gates_);
+    if (!sigmas) continue;
+    others_.push_back(candidate);
+    if (!least || *sigmas < *least) least = sigmas, slot = candidate;
+  }
+  if (!least) slot = new_slot();
+  const auto probability = static_cast<float>(membership(least.value_or(0.0)));
+  hypotheses_[slot].add(ribbon, {index, probability});
+  refresh(slot);
+  index_.enter(slot, voxels_);
+  if (others_.size() > 1) merge_with(others_, slot);
+}
+
+std::uint32_t PlaneMap::new_slot() {
+  const Hypothesis empty(next_id_++);
+  if (!free_slots_.empty()) {
+    const std::uint32_t slot = free_slots_.back();
+    free_slots_.pop_back();
+    hypotheses_[slot] = empty;
+    return slot;
+  }
+  reserve_one_more(hypotheses_);
+  hypotheses_.push_back(empty);
+  sides_.emplace_back();
+  return static_cast<std::uint32_t>(hypotheses_.size() - 1);
+}
+
+/// After a hypothesis has been fitted.
+void PlaneMap::refresh(std::uint32_t slot) {
+  const Eigen::Vector3d& normal = hypotheses_[slot].normal();
+  sides_[slot] = {normal.cast<float>(), static_cast<float>(hypotheses_[slot].d_m())};
+  index_.list(slot, cube_sides_within(normal, reach_));
+}
+
+/// A ribbon that fits several hypotheses is where they meet: those that are one plane merge.
+void PlaneMap::merge_with(const std::vector<std::uint32_t>& others, std::uint32_t slot) {
+  for (const std::uint32_t other : others) {
+    if (other == slot) continue;
+    const bool is_larger = hypotheses_[slot].area_m2() >= hypotheses_[other].area_m2();
+    const std::uint32_t larger = is_larger ? slot : other;
+    const std::uint32_t smaller = is_larger ? other : slot;
+    if (!are_one_plane(hypotheses_[larger], hypotheses_[smaller], gates_)) continue;
+    merge(larger, smaller);
+    slot = larger;
+  }
+}
+
+void PlaneMap::merge(std::uint32_t into, std::uint32_t from) {
+  const std::int64_t id = std::min(hypotheses_[into].id, hypotheses_[from].id);
+  hypotheses_[into].absorb(hypotheses_[from]);
+  hypotheses_[into].id = id;
+  hypotheses_[from] = Hypothesis(0);
+  free_slots_.push_back(from);
+  refresh(into);
+  index_.enter(into, index_.remove(from));
+}
+
+std::vector<Hypothesis> PlaneMap::hypotheses() const {
+  std::vector<Hypothesis> alive;
+  for (std::uint32_t slot = 0; slot < hypotheses_.size(); ++slot) {
+    if (is_alive(slot)) alive.push_back(hypotheses_[slot]);
+  }
+  std::sort(alive.begin(), alive.end(),
+            [](const Hypothesis& a, const Hypothesis& b) { return a.id < b.id; });
+  return alive;
+}
+
+std::vector<Hypothesis> PlaneMap::merged_hypotheses() const {
+  PlaneMap work = *this;
+  std::vector<std::uint32_t> order;
+  for (std::uint32_t slot = 0; slot < hypotheses_.size(); ++slot) {
+    if (is_alive(slot)) order.push_back(slot);
+  }
+  std::stable_sort(order.begin(), order.end(), [this](std::uint32_t a, std::uint32_t b) {
+    return hypotheses_[a].area_m2() > hypotheses_[b].area_m2();
+  });
+  // One that nothing near has changed since it was looked at has nothing new to absorb.
+  std::vector<char> is_open(hypotheses_.size(), 1);
+  bool changed = true;
+  while (changed) {
+    changed = false;
+    for (const std::uint32_t slot : order) {
+      if (!is_open[slot]) continue;
+      is_open[slot] = 0;
+      if (!work.absorb_neighbours(slot)) continue;
+      changed = true;
+      work.find_parallel(slot);
+      for (const std::uint32_t near : work.near_) is_open[near] = 1;
+    }
+  }
+  return work.hypotheses();
+}
+
+/// Those near it that may be one plane with it, and itself.
+void PlaneMap::find_parallel(std::uint32_t slot) {
+  const auto is_parallel = [&](std::uint32_t other) {
+    return sides_[slot].normal.dot(sides_[other].normal) >= min_cosine_;
+  };
+  index_.near(index_.touched_by(slot), cube_side(hypotheses_[slot].normal()), is_parallel, near_);
+}
+
+bool PlaneMap::absorb_neighbours(std::uint32_t slot) {
+  if (!is_alive(slot)) return false;
+  bool changed = false;
+  find_parallel(slot);
+  for (const std::uint32_t other : near_) {
+    if (other == slot || !is_alive(other)) continue;
+    if (hypotheses_[other].area_m2() > hypotheses_[slot].area_m2()) continue;
+    if (!are_one_plane(hypotheses_[slot], hypotheses_[other], gates_)) continue;
+    const std::int64_t id = hypotheses_[slot].id;
+    merge(slot, other);
+    hypotheses_[slot].id = id;  // a plane does not take the name of a sliver
+    changed = true;
+  }
+  return changed;
+}
+
+std::vector<std::int64_t> PlaneMap::ids_of_ribbons() const {
+  std::vector<std::int64_t> ids;
+  for (const Hypothesis& plane : hypotheses_) {
+    for (const Member& member : plane.members()) {
+      if (member.ribbon >= ids.size()) ids.resize(member.ribbon + 1, no_id);
+      ids[member.ribbon] = plane.id;
+    }
+  }
+  return ids;
+}
+
+void PlaneMap::take_ids_from(const PlaneMap& before,
+                             const std::vector<std::uint32_t>& index_before) {
+  const std::vector<std::int64_t> ids_before = before.ids_of_ribbons();
+  struct Share {
+    std::size_t ribbons;
+    std::int64_t id;
+    std::uint32_t slot;
+  };
+  std::vector<Share> shares;
+  std::vector<std::int64_t> ids;  // of one hypothesis' ribbons
+  for (std::uint32_t slot = 0; slot < hypotheses_.size(); ++slot) {
+    ids.clear();
+    for (const Member& member : hypotheses_[slot].members()) {
+      const std::size_t ribbon = index_before.empty() ? member.ribbon : index_before[member.ribbon];
+      if (ribbon < ids_before.size() && ids_before[ribbon] != no_id) {
+        ids.push_back(ids_before[ribbon]);
+      }
+    }
+    std::sort(ids.begin(), ids.end());
+    for (auto id = ids.begin(), next = id; id != ids.end(); id = next) {
+      next = std::upper_bound(id, ids.end(), *id);
+      shares.push_back({static_cast<std::size_t>(next - id), *id, slot});
+    }
+  }
+  std::stable_sort(shares.begin(), shares.end(),
+                   [](const Share& a, const Share& b) { return a.ribbons > b.ribbons; });
+  std::unordered_set<std::int64_t> taken;
+  std::vector<bool> named(hypotheses_.size(), false);
+  for (const Share& share : shares) {
+    if (named[share.slot] || !taken.insert(share.id).second) continue;
+    hypotheses_[share.slot].id = share.id;
+    named[share.slot] = true;
+  }
+}
+
+std::size_t PlaneMap::memory_bytes() const {
+  std::size_t bytes = index_.memory_bytes() + hypotheses_.capacity() * sizeof(Hypothesis) +
+                      sides_.capacity() * sizeof(Side) +
+                      free_slots_.capacity() * sizeof(std::uint32_t);
+  for (const Hypothesis& plane : hypotheses_) bytes += plane.members().capacity() * sizeof(Member);
+  return bytes;
+}
+
+}  // namespace ribbon_mapper

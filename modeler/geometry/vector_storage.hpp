@@ -1,0 +1,26 @@
+// SPDX-FileCopyrightText: 2026 ribbon_mapper authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+namespace ribbon_mapper {
+
+/// Makes room for one more element; by an eighth, where doubling would leave half of it unused.
+template <typename Element>
+void reserve_one_more(std::vector<Element>& elements) {
+  if (elements.size() == elements.capacity()) {
+    elements.reserve(elements.size() + elements.size() / 8 + 16);
+  }
+}
+
+/// Leaves out all elements but these, in order.
+template <typename Element>
+void keep_indices(const std::vector<std::uint32_t>& indices, std::vector<Element>& elements) {
+  for (std::size_t i = 0; i < indices.size(); ++i) elements[i] = elements[indices[i]];
+  elements.resize(indices.size());
+}
+
+}  // namespace ribbon_mapper

@@ -1,0 +1,70 @@
+// SPDX-FileCopyrightText: 2026 ribbon_mapper authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "modeler/program/progress_bar.hpp"
+
+#include <unistd.h>
+
+#include <array>
+#include <cstdio>
+
+namespace ribbon_mapper {
+namespace {
+
+constexpr int kBarWidth = 16;                  // the whole line fits into 80 columns
+constexpr const char* kWipeLine = "\r\x1b[K";  // to its end
+
+double share_done(const Progress& progress) {
+  if (progress.lines == 0) return 0.0;
+  return static_cast<double>(progress.line) / static_cast<double>(progress.lines);
+}
+
+std::string bar(int percent) {
+  const auto filled = static_cast<std::size_t>(kBarWidth * percent / 100);
+  return "[" + std::string(filled, '#') + std::string(kBarWidth - filled, '.') + "] ";
+}
+
+std::string figures(const Progress& progress) {
+  std::array<char, 96> text;
+  std::snprintf(text.data(), text.size(), "%zu lines, %zu ribbons, %.0f x real time", progress.line,
+                progress.ribbons, real_time_factor(progress));
+  return text.data();
+}
+
+}  // namespace
+
+ProgressBar::ProgressBar()
+    : on_terminal_(isatty(STDERR_FILENO) == 1), step_percent_(on_terminal_ ? 1 : 10) {}
+
+ProgressBar::~ProgressBar() { wipe(); }
+
+void ProgressBar::show(const Progress& progress) {
+  const auto percent = static_cast<int>(100.0 * share_done(progress));
+  if (shown_percent_ >= 0 && percent < shown_percent_ + step_percent_) return;
+  shown_percent_ = percent - percent % step_percent_;
+  std::fprintf(stderr, "%s%s%3d %%  %s%s%s", on_terminal_ ? kWipeLine : "",
+               on_terminal_ ? bar(percent).c_str() : "", percent, figures(progress).c_str(),
+               time_left(share_done(progress)).c_str(), on_terminal_ ? "" : "\n");
+}
+
+void ProgressBar::print(const std::string& lines) {
+  wipe();
+  std::fputs(lines.c_str(), stdout);
+  std::fflush(stdout);
+  shown_percent_ = on_terminal_ ? -1 : shown_percent_;  // the bar comes back with the next step
+}
+
+/// From what is done, as soon as that says anything.
+std::string ProgressBar::time_left(double done) const {
+  if (done < 0.02 || done >= 1.0) return "";
+  const std::chrono::duration<double> passed = std::chrono::steady_clock::now() - start_;
+  const auto left_s = static_cast<int>(passed.count() * (1.0 - done) / done + 0.5);
+  std::array<char, 32> text;
+  std::snprintf(text.data(), text.size(), ", %d:%02d left", left_s / 60, left_s % 60);
+  return text.data();
+}
+
+void ProgressBar::wipe() const {
+  if (on_terminal_) std::fputs(kWipeLine, stderr);
+}
+
+}  // namespace ribbon_mapper

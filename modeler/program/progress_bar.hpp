@@ -1,0 +1,36 @@
+// SPDX-FileCopyrightText: 2026 ribbon_mapper authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <chrono>
+#include <string>
+
+#include "modeler/program/progress.hpp"
+
+namespace ribbon_mapper {
+
+/// Shows progress on stderr: a bar that moves on a terminal, a line for every 10 % in a log.
+class ProgressBar {
+ public:
+  ProgressBar();
+  /// Wipes a bar that has not come to its end.
+  ~ProgressBar();
+  ProgressBar(const ProgressBar&) = delete;
+  ProgressBar& operator=(const ProgressBar&) = delete;
+
+  void show(const Progress& progress);
+
+  /// Writes lines to stdout, above the bar.
+  void print(const std::string& lines);
+
+ private:
+  std::string time_left(double done) const;
+  void wipe() const;
+
+  bool on_terminal_;
+  int step_percent_;
+  int shown_percent_ = -1;
+  std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
+};
+
+}  // namespace ribbon_mapper

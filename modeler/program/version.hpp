@@ -1,0 +1,12 @@
+// SPDX-FileCopyrightText: 2026 ribbon_mapper authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <string>
+
+namespace ribbon_mapper {
+
+/// Of the package, with the commit that it was configured at where that is known.
+std::string version();
+
+}  // namespace ribbon_mapper

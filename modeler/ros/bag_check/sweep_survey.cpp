@@ -1,0 +1,129 @@
+// SPDX-FileCopyrightText: 2026 ribbon_mapper authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "modeler/ros/bag_check/sweep_survey.hpp"
+
+#include <Eigen/Eigenvalues>
+#include <algorithm>
+#include <cmath>
+
+#include "modeler/ros/bag_check/words.hpp"
+
+namespace ribbon_mapper {
+namespace {
+
+constexpr double kStillRad = 0.01, kStillM = 0.05;
+constexpr double kTurnedRound_rad = 1.9 * M_PI;
+
+/// Indices where the angle turns round, by more than a tenth of its whole range.
+std::vector<std::size_t> reversals(const std::vector<double>& angles, double range_rad) {
+  std::vector<std::size_t> found;
+  std::size_t extreme = 0;
+  int heading = 0;
+  for (std::size_t i = 1; i < angles.size(); ++i) {
+    const double from_extreme = angles[i] - angles[extreme];
+    if (heading == 0 ? from_extreme == 0.0 : heading * from_extreme >= 0.0) {
+      extreme = i;
+      continue;
+    }
+    if (std::abs(from_extreme) < 0.1 * range_rad) continue;
+    if (heading != 0) found.push_back(extreme);
+    heading = from_extreme > 0.0 ? 1 : -1;
+    extreme = i;
+  }
+  return found;
+}
+
+}  // namespace
+
+void SweepSurvey::add(const LaserBeams& beams, const LinePoses& poses) {
+  if (stamps_.empty()) {
+    first_T_odom_base_ = poses.T_odom_base_first;
+  } else {
+    const Eigen::AngleAxisd turn(poses.T_base_laser_first.linear() *
+                                 last_T_base_laser_.linear().transpose());
+    turns_rad_.push_back(turn.angle() * turn.axis());
+    sum_of_squares_ += turns_rad_.back() * turns_rad_.back().transpose();
+  }
+  stamps_.push_back(beams.stamp);
+  last_T_base_laser_ = poses.T_base_laser_first;
+  const Pose moved = first_T_odom_base_.inverse(Eigen::Isometry) * poses.T_odom_base_first;
+  base_travel_m_ = std::max(base_travel_m_, moved.translation().norm());
+  base_turn_rad_ = std::max(base_turn_rad_, angle_of(moved));
+}
+
+std::vector<double> SweepSurvey::angles_rad() const {
+  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver(sum_of_squares_);
+  const Eigen::Vector3d axis = solver.eigenvectors().col(2);
+  std::vector<double> angles{0.0};
+  for (const Eigen::Vector3d& turn : turns_rad_) angles.push_back(angles.back() + axis.dot(turn));
+  return angles;
+}
+
+void SweepSurvey::report(const ScanSurvey& scans, BagReport& report) const {
+  if (stamps_.size() < 2) return;
+  report_tilt(report);
+  report_spacing(scans, report);
+}
+
+void SweepSurvey::report_tilt(BagReport& report) const {
+  const std::vector<double> angles = angles_rad();
+  const auto [least, most] = std::minmax_element(angles.begin(), angles.end());
+  const double range_rad = *most - *least;
+  const double duration_s = to_seconds(stamps_.back() - stamps_.front());
+  if (range_rad < kStillRad) {
+    if (base_travel_m_ < kStillM && base_turn_rad_ < kStillRad) {
+      report.fault(
+          "the tilt does not move, nor does the robot: one line only is seen. Is the "
+          "tilt's joint in tf, and was it commanded?");
+    } else {
+      report.warning(
+          "the tilt does not move: surfaces are seen only where the robot's own motion "
+          "sweeps the line over them");
+    }
+    return;
+  }
+  if (range_rad > kTurnedRound_rad) {
+    report.fact("the laser turns, " + degrees(range_rad) + " degrees in " + number(duration_s, 1) +
+                " s");
+    return;
+  }
+  const std::vector<std::size_t> turns = reversals(angles, range_rad);
+  std::string text = "the tilt moves by +-" + degrees(0.5 * range_rad) + " degrees";
+  if (turns.size() >= 3) {
+    std::vector<double> periods_s;
+    for (std::size_t i = 2; i < turns.size(); ++i)
+      periods_s.push_back(to_seconds(stamps_[turns[i]] - stamps_[turns[i - 2]]));
+    text += ", period " + number(median_of(periods_s), 2) + " s";
+  } else {
+    text += ", without a full period";
+  }
+  report.fact(text);
+}
+
+void SweepSurvey::report_spacing(const ScanSurvey& scans, BagReport& report) const {
+  std::vector<double> steps_rad;
+  for (const Eigen::Vector3d& turn : turns_rad_) {
+    if (turn.norm() > 1e-5) steps_rad.push_back(turn.norm());
+  }
+  const double step_rad = median_of(steps_rad);
+  const double noise_m = scans.noise_m(), range_m = scans.median_range_m();
+  if (steps_rad.empty() || range_m <= 0.0) return;
+  const double spacing_m = step_rad * range_m;
+  const std::string facts = "lines are " + degrees(step_rad, 2) + " degrees apart, " +
+                            number(1e3 * spacing_m, 0) +
+                            " mm at the median range; the noise of a " + "range is about " +
+                            number(1e3 * noise_m, 0) + " mm";
+  const double beam_spacing_m = scans.beam_step_rad() * range_m;
+  if (spacing_m < noise_m) {
+    report.warning(facts +
+                   ": closer than the noise. Lines are pooled; a preset with "
+                   "scan.base_line_sigmas 3 (config/urg04lx.yaml) makes the most of them");
+  } else if (beam_spacing_m > 0.025) {
+    report.warning(facts + "; beams are " + number(1e3 * beam_spacing_m, 0) +
+                   " mm apart: coarse. Use wider cells and neighbourhoods (config/room_scan.yaml)");
+  } else {
+    report.fact(facts);
+  }
+}
+
+}  // namespace ribbon_mapper

@@ -1,0 +1,32 @@
+// SPDX-FileCopyrightText: 2026 ribbon_mapper authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <vector>
+
+#include "modeler/ros/bag_check/bag_report.hpp"
+#include "modeler/ros/bag_check/scan_survey.hpp"
+#include "modeler/scan/laser_beams.hpp"
+
+namespace ribbon_mapper {
+
+/// Looks at how the laser moves: does it tilt or turn, how fast, how far apart are its lines.
+class SweepSurvey {
+ public:
+  void add(const LaserBeams& beams, const LinePoses& poses);
+  void report(const ScanSurvey& scans, BagReport& report) const;
+
+ private:
+  std::vector<double> angles_rad() const;  ///< about the axis that the laser turns about most
+  void report_tilt(BagReport& report) const;
+  void report_spacing(const ScanSurvey& scans, BagReport& report) const;
+
+  std::vector<Time> stamps_;
+  std::vector<Eigen::Vector3d> turns_rad_;  ///< rotation vectors from line to line, in base
+  Eigen::Matrix3d sum_of_squares_ = Eigen::Matrix3d::Zero();  ///< of the turns
+  Pose last_T_base_laser_ = Pose::Identity();
+  Pose first_T_odom_base_ = Pose::Identity();
+  double base_travel_m_ = 0.0, base_turn_rad_ = 0.0;  ///< furthest from the first pose
+};
+
+}  // namespace ribbon_mapper

@@ -1,0 +1,38 @@
+// SPDX-FileCopyrightText: 2026 ribbon_mapper authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <tf2_msgs/TFMessage.h>
+
+#include <cstddef>
+#include <map>
+#include <set>
+#include <string>
+
+#include "modeler/ros/bag_check/bag_report.hpp"
+#include "modeler/ros/intake/line_poses.hpp"
+
+namespace ribbon_mapper {
+
+/// Looks at the transforms of a bag as they are: who has which parent, gaps, slashes.
+class TfSurvey {
+ public:
+  void add(const tf2_msgs::TFMessage& message, bool is_static);
+
+  /// Gaps longer than `line_period_s` are longer than a line: what moves in them is not known.
+  void report(const Frames& frames, double line_period_s, BagReport& report) const;
+
+ private:
+  struct Link {
+    std::set<std::string> parents;
+    std::size_t transforms = 0, backwards = 0;
+    double first_s = 0.0, newest_s = 0.0, longest_gap_s = 0.0;
+    bool is_static = false;
+  };
+  void report_links(double line_period_s, BagReport& report) const;
+
+  std::map<std::string, Link> links_;  ///< by child
+  std::size_t messages_ = 0, with_slash_ = 0;
+};
+
+}  // namespace ribbon_mapper

@@ -1,0 +1,77 @@
+// SPDX-FileCopyrightText: 2026 ribbon_mapper authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "modeler/ros/intake/line_intake.hpp"
+
+#include "modeler/ros/messages/message_conversions.hpp"
+
+namespace ribbon_mapper {
+namespace {
+constexpr std::size_t kMaxWaiting = 5000;  // 25 s at five times real time; 10 MB
+}  // namespace
+
+void LineIntake::add(const sensor_msgs::LaserScan& scan, const Moment& now) {
+  log_.received();
+  waiting_.push_back({defect_of(scan), beams_of(scan), without_slash(scan.header.frame_id), now});
+  WaitingLine& line = waiting_.back();
+  line.beams.stamp += from_seconds(options_.scan_time_offset_s);
+  if (!line.defect && line.beams.stamp <= Time(0)) line.defect = "stamp is zero";
+  if (waiting_.size() > kMaxWaiting) drop_front("too many lines are waiting", waits_for_);
+}
+
+std::optional<ReadyLine> LineIntake::next(const tf2::BufferCore& tf, const Moment& now) {
+  return take(tf, [&](const WaitingLine& line) { return expired(line, now); });
+}
+
+std::optional<ReadyLine> LineIntake::last(const tf2::BufferCore& tf) {
+  return take(tf, [](const WaitingLine&) { return true; });
+}
+
+template <typename GivesUp>
+std::optional<ReadyLine> LineIntake::take(const tf2::BufferCore& tf, const GivesUp& gives_up) {
+  while (!waiting_.empty()) {
+    WaitingLine& line = waiting_.front();
+    if (line.defect) {
+      drop_front("malformed", *line.defect + ": look at the laser's driver");
+      continue;
+    }
+    if (line.beams.stamp <= newest_) {
+      drop_front("out of order", "it is stamped before the line before it");
+      continue;
+    }
+    auto found = find_line_poses(tf, options_.frames, line.frame, line.beams);
+    if (LinePoses* poses = std::get_if<LinePoses>(&found)) {
+      ReadyLine ready{std::move(line.beams), *poses};
+      newest_ = done_ = ready.beams.stamp;
+      waiting_.pop_front();
+      return ready;
+    }
+    const auto& missing = std::get<MissingTransform>(found);
+    waits_for_ = missing.reason;
+    if (!gives_up(line)) return std::nullopt;
+    drop_front(missing.reason, missing.detail);
+  }
+  waits_for_.clear();
+  return std::nullopt;
+}
+
+void LineIntake::restart(const std::string& reason) {
+  for (std::size_t i = 0; i < waiting_.size(); ++i) log_.dropped(reason);
+  waiting_.clear();
+  waits_for_.clear();
+  newest_ = done_ = Time(0);
+}
+
+/// Both clocks must have moved on: simulated time stops in a pause, in which nothing can come, and
+/// runs faster than wall time in a replay, when two processes need a moment all the same.
+bool LineIntake::expired(const WaitingLine& line, const Moment& now) const {
+  return (now.wall - line.arrived.wall).toSec() > options_.transform_timeout_s &&
+         (now.data - line.arrived.data).toSec() > options_.transform_timeout_s;
+}
+
+void LineIntake::drop_front(const std::string& reason, const std::string& detail) {
+  log_.dropped(reason, detail);
+  done_ = waiting_.front().beams.stamp;
+  waiting_.pop_front();
+}
+
+}  // namespace ribbon_mapper

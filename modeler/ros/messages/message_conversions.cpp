@@ -1,0 +1,160 @@
+// SPDX-FileCopyrightText: 2026 ribbon_mapper authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "modeler/ros/messages/message_conversions.hpp"
+
+#include <cmath>
+#include <stdexcept>
+
+namespace ribbon_mapper {
+namespace {
+
+constexpr double kLongestSweep_s = 10.0;
+/// ros::Time holds 32 bits of seconds, and throws beyond.
+constexpr std::uint32_t kLatestStamp_s = 0xffffffffu - 60u;
+
+template <typename Vector, typename Quaternion>
+Pose rigid(const Vector& translation, const Quaternion& rotation) {
+  Pose pose = Pose::Identity();
+  pose.linear() = Eigen::Quaterniond(rotation.w, rotation.x, rotation.y, rotation.z)
+                      .normalized()
+                      .toRotationMatrix();
+  pose.translation() << translation.x, translation.y, translation.z;
+  return pose;
+}
+
+template <typename Message>
+Message xyz(const Eigen::Vector3d& from) {
+  Message message;
+  message.x = from.x(), message.y = from.y(), message.z = from.z();
+  return message;
+}
+
+geometry_msgs::Quaternion quaternion_message(const Pose& pose) {
+  const Eigen::Quaterniond rotation(pose.linear());
+  geometry_msgs::Quaternion message;
+  message.w = rotation.w(), message.x = rotation.x();
+  message.y = rotation.y(), message.z = rotation.z();
+  return message;
+}
+
+[[noreturn]] void refuse(std::size_t index, const std::string& why) {
+  throw std::invalid_argument("pose " + std::to_string(index) + " " + why);
+}
+
+void require_frame(const std::string& given, const std::string& frame) {
+  if (without_slash(given) == frame) return;
+  throw std::invalid_argument("it is in frame '" + given + "', must be in '" + frame + "'");
+}
+
+}  // namespace
+
+Time time_of(const ros::Time& stamp) {
+  return std::chrono::seconds(stamp.sec) + std::chrono::nanoseconds(stamp.nsec);
+}
+
+ros::Time stamp_of(Time time) {
+  ros::Time stamp;
+  stamp.fromNSec(static_cast<std::uint64_t>(time.count()));
+  return stamp;
+}
+
+std::string without_slash(const std::string& frame) {
+  return !frame.empty() && frame.front() == '/' ? frame.substr(1) : frame;
+}
+
+Pose pose_of(const geometry_msgs::Transform& transform) {
+  return rigid(transform.translation, transform.rotation);
+}
+
+std::optional<Pose> pose_of(const geometry_msgs::Pose& message) {
+  const geometry_msgs::Quaternion& q = message.orientation;
+  const double length = std::sqrt(q.w * q.w + q.x * q.x + q.y * q.y + q.z * q.z);
+  if (!(std::abs(length - 1.0) < 0.01)) return std::nullopt;
+  const Pose pose = rigid(message.position, q);
+  if (!is_valid(pose)) return std::nullopt;
+  return pose;
+}
+
+geometry_msgs::Pose pose_message(const Pose& pose) {
+  geometry_msgs::Pose message;
+  message.position = point_message(pose.translation());
+  message.orientation = quaternion_message(pose);
+  return message;
+}
+
+geometry_msgs::Transform transform_message(const Pose& pose) {
+  geometry_msgs::Transform message;
+  message.translation = vector_message(pose.translation());
+  message.rotation = quaternion_message(pose);
+  return message;
+}
+
+geometry_msgs::Point point_message(const Eigen::Vector3d& point) {
+  return xyz<geometry_msgs::Point>(point);
+}
+
+geometry_msgs::Vector3 vector_message(const Eigen::Vector3d& vector) {
+  return xyz<geometry_msgs::Vector3>(vector);
+}
+
+std::optional<std::string> defect_of(const sensor_msgs::LaserScan& scan) {
+  if (scan.header.stamp.isZero()) return "stamp is zero";
+  if (scan.header.stamp.sec > kLatestStamp_s) return "stamp is beyond what tf can look up";
+  if (scan.header.frame_id.empty()) return "frame is empty";
+  if (scan.ranges.empty()) return "no ranges";
+  const double count = static_cast<double>(scan.ranges.size());
+  // Drivers differ in whether angle_max is the last beam's angle or the one after it.
+  const double beams =
+      (scan.angle_max - scan.angle_min) / static_cast<double>(scan.angle_increment);
+  if (!(std::abs(beams + 1.0 - count) <= 1.5)) return "number of ranges does not fit the angles";
+  const double sweep_s = scan.time_increment * (count - 1.0);
+  if (!(sweep_s >= 0.0 && sweep_s < kLongestSweep_s)) return "time_increment is out of range";
+  return std::nullopt;
+}
+
+LaserBeams beams_of(const sensor_msgs::LaserScan& scan) {
+  return {time_of(scan.header.stamp),
+          scan.angle_min,
+          scan.angle_increment,
+          scan.time_increment,
+          scan.range_min,
+          scan.range_max,
+          scan.ranges};
+}
+
+nav_msgs::Path path_message(const std::vector<StampedPose>& trajectory, const std::string& frame,
+                            Time stamp) {
+  nav_msgs::Path path;
+  path.header.frame_id = frame;
+  path.header.stamp = stamp_of(stamp);
+  path.poses.resize(trajectory.size());
+  for (std::size_t i = 0; i < trajectory.size(); ++i) {
+    path.poses[i].header.frame_id = frame;
+    path.poses[i].header.stamp = stamp_of(trajectory[i].stamp);
+    path.poses[i].pose = pose_message(trajectory[i].T_map_base);
+  }
+  return path;
+}
+
+std::vector<StampedPose> trajectory_of(const nav_msgs::Path& path, const std::string& frame) {
+  if (path.poses.empty()) throw std::invalid_argument("it is empty");
+  require_frame(path.header.frame_id, frame);
+  std::vector<StampedPose> trajectory;
+  for (std::size_t i = 0; i < path.poses.size(); ++i) {
+    const geometry_msgs::PoseStamped& message = path.poses[i];
+    if (!message.header.frame_id.empty()) require_frame(message.header.frame_id, frame);
+    const std::optional<Pose> pose = pose_of(message.pose);
+    if (!pose) refuse(i, "is not finite or its quaternion is not of length 1");
+    const Time stamp = time_of(message.header.stamp);
+    if (i > 0 && stamp <= trajectory.back().stamp) {
+      refuse(i, path.poses.front().header.stamp == path.poses.back().header.stamp
+                    ? "is not later than the one before: all poses carry one stamp, as those of "
+                      "RTAB-Map's mapPath do; slam_adapter takes its mapData and mapGraph instead"
+                    : "is not later than the one before: each pose needs its own stamp, in order");
+    }
+    trajectory.push_back({stamp, *pose});
+  }
+  return trajectory;
+}
+
+}  // namespace ribbon_mapper

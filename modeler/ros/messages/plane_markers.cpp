@@ -1,0 +1,99 @@
+// SPDX-FileCopyrightText: 2026 ribbon_mapper authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "modeler/ros/messages/plane_markers.hpp"
+
+#include <cmath>
+#include <functional>
+
+#include "modeler/io/colour.hpp"
+#include "modeler/ros/messages/message_conversions.hpp"
+
+namespace ribbon_mapper {
+namespace {
+
+/// White shows only where the model has moved: where it has not, the colour lies before it.
+constexpr double kWhiteBehind_m = 0.02;
+
+visualization_msgs::Marker triangles(const std_msgs::Header& header, const std::string& ns,
+                                     std::int64_t id) {
+  visualization_msgs::Marker marker;
+  marker.header = header;
+  marker.ns = ns;
+  marker.id = static_cast<std::int32_t>(id);
+  marker.type = visualization_msgs::Marker::TRIANGLE_LIST;
+  marker.pose.orientation.w = 1.0;
+  marker.scale.x = marker.scale.y = marker.scale.z = 1.0;
+  return marker;
+}
+
+/// Both sides alike, brighter the more a surface looks up or along one diagonal. rviz itself leaves
+/// whatever looks away from its lamp black; with a colour for each triangle it uses no lamp.
+std_msgs::ColorRGBA shaded(const Colour& colour, const Eigen::Vector3d& normal) {
+  const double shade = 0.66 + 0.34 * std::abs(normal.dot(Eigen::Vector3d(0.3, 0.6, 0.74)));
+  std_msgs::ColorRGBA message;
+  message.r = static_cast<float>(shade * colour.red / 255.0);
+  message.g = static_cast<float>(shade * colour.green / 255.0);
+  message.b = static_cast<float>(shade * colour.blue / 255.0);
+  message.a = 1.0F;
+  return message;
+}
+
+/// `behind_m`: how far behind its front the surface is drawn.
+void add_surface(const Plane& plane, const Colour& colour, double behind_m,
+                 visualization_msgs::Marker& marker) {
+  const std_msgs::ColorRGBA shade = shaded(colour, plane.normal);
+  const Eigen::Vector3d shift = -behind_m * plane.normal;
+  const auto corner = [&](int u, int v) { return point_message(grid_corner(plane, u, v) + shift); };
+  for (const CellRectangle& r : surface_rectangles(plane)) {
+    const geometry_msgs::Point a = corner(r.u_begin, r.v_begin), b = corner(r.u_end, r.v_begin);
+    const geometry_msgs::Point c = corner(r.u_end, r.v_end), d = corner(r.u_begin, r.v_end);
+    marker.points.insert(marker.points.end(), {a, b, c, a, c, d});
+    marker.colors.insert(marker.colors.end(), 2, shade);
+  }
+  marker.color.a = 1.0F;
+}
+
+std::size_t hash_of(const visualization_msgs::Marker& marker) {
+  std::size_t hash = marker.points.size();
+  for (const geometry_msgs::Point& point : marker.points) {
+    for (const double value : {point.x, point.y, point.z})
+      hash = hash * 1099511628211u + std::hash<double>()(value);
+  }
+  return hash;
+}
+
+}  // namespace
+
+visualization_msgs::MarkerArray PlaneMarkers::changes(const std::vector<Plane>& planes,
+                                                      const std_msgs::Header& header) {
+  visualization_msgs::MarkerArray array;
+  std::map<std::int64_t, std::size_t> now;
+  for (const Plane& plane : planes) {
+    visualization_msgs::Marker marker = triangles(header, "planes", plane.id);
+    add_surface(plane, plane_colour(plane.id), 0.0, marker);
+    if (marker.points.empty()) continue;  // rviz complains about a marker without points
+    const std::size_t hash = now[plane.id] = hash_of(marker);
+    const auto sent = sent_.find(plane.id);
+    if (sent == sent_.end() || sent->second != hash) array.markers.push_back(std::move(marker));
+  }
+  for (const auto& [id, hash] : sent_) {
+    if (now.count(id) != 0) continue;
+    array.markers.push_back(triangles(header, "planes", id));
+    array.markers.back().action = visualization_msgs::Marker::DELETE;
+  }
+  sent_ = std::move(now);
+  return array;
+}
+
+visualization_msgs::MarkerArray white_markers(const std::vector<Plane>& planes,
+                                              const std_msgs::Header& header) {
+  visualization_msgs::Marker marker = triangles(header, "before_correction", 0);
+  for (const Plane& plane : planes) add_surface(plane, {255, 255, 255}, kWhiteBehind_m, marker);
+  for (std_msgs::ColorRGBA& colour : marker.colors) colour.a = 0.6F;
+  if (marker.points.empty()) marker.action = visualization_msgs::Marker::DELETE;
+  visualization_msgs::MarkerArray array;
+  array.markers.push_back(std::move(marker));
+  return array;
+}
+
+}  // namespace ribbon_mapper

@@ -1,0 +1,78 @@
+// SPDX-FileCopyrightText: 2026 ribbon_mapper authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "modeler/ros/messages/plane_messages.hpp"
+
+#include <sensor_msgs/point_cloud2_iterator.h>
+
+#include "modeler/io/colour.hpp"
+#include "modeler/io/planes_json.hpp"
+#include "modeler/ros/messages/message_conversions.hpp"
+
+namespace ribbon_mapper {
+namespace {
+
+geometry_msgs::Point32 point32_message(const Eigen::Vector3d& point) {
+  const Eigen::Vector3f single = point.cast<float>();
+  geometry_msgs::Point32 message;
+  message.x = single.x(), message.y = single.y(), message.z = single.z();
+  return message;
+}
+
+BoundedPlane plane_message(const Plane& plane, bool with_cells) {
+  BoundedPlane message;
+  message.id = plane.id;
+  message.normal = vector_message(plane.normal);
+  message.d = plane.d_m;
+  message.area = plane.area_m2;
+  message.ribbon_count = static_cast<std::uint32_t>(plane.ribbon_count);
+  message.centroid = point_message(plane.centroid);
+  const Eigen::AlignedBox3d box = bounding_box(plane);
+  message.bbox_min = point_message(box.min());
+  message.bbox_max = point_message(box.max());
+  for (const Eigen::Vector3d& corner : plane.outline)
+    message.outline.points.push_back(point32_message(corner));
+  for (int i = 0; i < 9; ++i) message.covariance[i] = plane.covariance(i / 3, i % 3);
+  message.axis_u = vector_message(plane.axis_u);
+  message.axis_v = vector_message(plane.axis_v);
+  message.cell_size = plane.cell_size_m;
+  if (!with_cells) return message;
+  for (const PlaneCell& cell : plane.cells)
+    message.cells.push_back(point32_message(cell_centre(plane, cell)));
+  return message;
+}
+
+}  // namespace
+
+PlaneArray plane_array_message(const std::vector<Plane>& planes, const std_msgs::Header& header,
+                               std::size_t revision, bool with_cells) {
+  PlaneArray message;
+  message.header = header;
+  message.revision = static_cast<std::uint32_t>(revision);
+  for (const Plane& plane : planes) message.planes.push_back(plane_message(plane, with_cells));
+  return message;
+}
+
+sensor_msgs::PointCloud2 cell_cloud(const std::vector<Plane>& planes,
+                                    const std_msgs::Header& header) {
+  std::size_t count = 0;
+  for (const Plane& plane : planes) count += plane.cells.size();
+  sensor_msgs::PointCloud2 cloud;
+  cloud.header = header;
+  sensor_msgs::PointCloud2Modifier modifier(cloud);
+  modifier.setPointCloud2FieldsByString(2, "xyz", "rgb");
+  modifier.resize(count);
+  sensor_msgs::PointCloud2Iterator<float> xyz(cloud, "x");
+  sensor_msgs::PointCloud2Iterator<std::uint8_t> bgr(cloud, "rgb");
+  for (const Plane& plane : planes) {
+    const Colour colour = plane_colour(plane.id);
+    for (const PlaneCell& cell : plane.cells) {
+      const Eigen::Vector3f centre = cell_centre(plane, cell).cast<float>();
+      for (int i = 0; i < 3; ++i) xyz[i] = centre[i];
+      bgr[0] = colour.blue, bgr[1] = colour.green, bgr[2] = colour.red;
+      ++xyz, ++bgr;
+    }
+  }
+  return cloud;
+}
+
+}  // namespace ribbon_mapper

@@ -1,0 +1,22 @@
+// SPDX-FileCopyrightText: 2026 ribbon_mapper authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <ribbon_mapper/PlaneArray.h>
+#include <sensor_msgs/PointCloud2.h>
+#include <std_msgs/Header.h>
+
+#include <vector>
+
+#include "modeler/surface/plane.hpp"
+
+namespace ribbon_mapper {
+
+PlaneArray plane_array_message(const std::vector<Plane>& planes, const std_msgs::Header& header,
+                               std::size_t revision, bool with_cells);
+
+/// Centres of the seen cells: x, y, z and rgb, the colour of their plane.
+sensor_msgs::PointCloud2 cell_cloud(const std::vector<Plane>& planes,
+                                    const std_msgs::Header& header);
+
+}  // namespace ribbon_mapper

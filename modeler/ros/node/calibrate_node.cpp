@@ -1,0 +1,153 @@
+// SPDX-FileCopyrightText: 2026 ribbon_mapper authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include <ros/ros.h>
+#include <std_msgs/Bool.h>
+#include <std_srvs/Trigger.h>
+
+#include <cstdio>
+#include <filesystem>
+
+#include "modeler/calibration/calibration.hpp"
+#include "modeler/io/atomic_file.hpp"
+#include "modeler/io/calibrated_preset.hpp"
+#include "modeler/io/config_file.hpp"
+#include "modeler/ros/intake/line_intake.hpp"
+#include "modeler/ros/intake/tf_feed.hpp"
+#include "modeler/ros/messages/message_conversions.hpp"
+#include "modeler/ros/messages/transform_entry.hpp"
+#include "modeler/ros/node/strict_parameters.hpp"
+
+namespace ribbon_mapper {
+namespace {
+
+struct NodeParameters {
+  ModelerConfig config;
+  IntakeOptions intake;
+  std::set<std::string> tf_drop_frames;
+  double travel_m;
+  std::filesystem::path output;
+
+  static NodeParameters read() {
+    StrictParameters from;
+    NodeParameters p;
+    const std::string config = from.required_text("config", "a YAML file, such as config/pr2.yaml");
+    p.output = std::filesystem::absolute(from.required_text("output", "the preset to write"));
+    Frames& frames = p.intake.frames;
+    frames.map = without_slash(from.text("map_frame", frames.map));
+    frames.odom = without_slash(from.text("odom_frame", frames.odom));
+    frames.base = without_slash(from.text("base_frame", frames.base));
+    p.intake.transform_timeout_s = from.number("transform_timeout", 2.0, 0.1, 60.0);
+    p.intake.scan_time_offset_s = from.number("scan_time_offset", 0.0, -1.0, 1.0);
+    p.tf_drop_frames = frames_from(from.text("tf_drop_frames", ""));
+    p.travel_m = from.number("travel", 5.0, 1.0, 100.0);
+    from.refuse_unknown();
+    p.config = load_config(config);
+    return p;
+  }
+};
+
+/// Learns the tolerances (section 5.1 of the paper) while the robot first stands before a bare wall
+/// and then moves in front of it: until it has driven ~travel, the simulated tour has ended, or
+/// somebody calls ~finish.
+class CalibrateNode {
+ public:
+  explicit CalibrateNode(const NodeParameters& parameters)
+      : parameters_(parameters),
+        intake_(parameters.intake, log_),
+        tf_(node_, 120.0, parameters.tf_drop_frames),
+        calibrator_(parameters.config) {
+    create_directory_for_files(parameters.output.parent_path());  // better now than after the drive
+    finish_ = private_node_.advertiseService("finish", &CalibrateNode::on_finish, this);
+    tour_finished_ = node_.subscribe("tour_finished", 2, &CalibrateNode::on_tour_finished, this);
+    scan_ = node_.subscribe("scan", 5000, &CalibrateNode::on_scan, this);
+    line_timer_ = node_.createWallTimer(ros::WallDuration(0.02),
+                                        [this](const ros::WallTimerEvent&) { take_lines(); });
+    report_timer_ = node_.createWallTimer(ros::WallDuration(5.0),
+                                          [this](const ros::WallTimerEvent&) { report(); });
+  }
+
+  bool is_done() const { return is_done_; }
+
+ private:
+  void on_scan(const sensor_msgs::LaserScan& scan) {
+    intake_.add(scan, Moment::now());
+    take_lines();
+  }
+
+  void take_lines() {
+    const Moment now = Moment::now();
+    while (const std::optional<ReadyLine> line = intake_.next(tf_.buffer(), now)) {
+      calibrator_.add(line->beams, line->poses);
+    }
+    const bool is_over = tour_is_over_ && intake_.waiting() == 0;
+    if (!is_over && calibrator_.travel_m() < parameters_.travel_m) return;
+    std::string message;
+    finish(message);
+    ros::shutdown();
+  }
+
+  bool finish(std::string& message) {
+    try {
+      const Calibration calibration = calibrator_.result();
+      write_file_atomically(parameters_.output,
+                            calibrated_preset(parameters_.config, calibration,
+                                              "calibrate.launch, scans on " + scan_.getTopic()));
+      std::printf("\n%s\npreset in %s\n", calibration_table(calibration).c_str(),
+                  parameters_.output.c_str());
+      std::fflush(stdout);
+      message = "preset in " + parameters_.output.string();
+      return is_done_ = true;
+    } catch (const std::runtime_error& error) {
+      message = error.what();
+      ROS_ERROR("%s", error.what());
+      return false;
+    }
+  }
+
+  bool on_finish(std_srvs::Trigger::Request&, std_srvs::Trigger::Response& response) {
+    response.success = finish(response.message);
+    return true;
+  }
+
+  void on_tour_finished(const std_msgs::Bool& finished) { tour_is_over_ = finished.data; }
+
+  void report() {
+    if (log_.lines() == 0) {
+      ROS_INFO("Waiting for scans on %s", scan_.getTopic().c_str());
+    } else if (calibrator_.travel_m() == 0.0) {
+      ROS_INFO("%zu lines from rest; %s", calibrator_.lines_stopped(),
+               calibrator_.has_rested() ? "drive the robot 3 to 5 m before the wall now"
+                                        : "let the robot stand before a bare wall");
+    } else {
+      ROS_INFO("%.1f m driven, %zu lines dropped %s", calibrator_.travel_m(), log_.dropped_lines(),
+               log_.newest_drop().c_str());
+    }
+  }
+
+  NodeParameters parameters_;
+  ros::NodeHandle node_, private_node_{"~"};
+  LineLog log_;
+  LineIntake intake_;
+  TfFeed tf_;
+  Calibrator calibrator_;
+  bool tour_is_over_ = false, is_done_ = false;
+  ros::ServiceServer finish_;
+  ros::Subscriber tour_finished_, scan_;
+  ros::WallTimer line_timer_, report_timer_;
+};
+
+}  // namespace
+}  // namespace ribbon_mapper
+
+int main(int argc, char** argv) {
+  ros::init(argc, argv, "calibrate");
+  const ros::NodeHandle keeps_logging_up;
+  try {
+    ribbon_mapper::CalibrateNode node(ribbon_mapper::NodeParameters::read());
+    ros::spin();
+    return node.is_done() ? 0 : 1;
+  } catch (const std::exception& error) {
+    std::fprintf(stderr, "calibrate: %s\n", error.what());  // rosconsole may be down by now
+    return 1;
+  }
+}

@@ -1,0 +1,63 @@
+// SPDX-FileCopyrightText: 2026 ribbon_mapper authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "modeler/ros/node/model_keeper.hpp"
+
+#include <ros/console.h>
+
+#include <chrono>
+
+namespace ribbon_mapper {
+namespace {
+
+template <typename Work>
+double seconds_of(const Work& work) {
+  const auto start = std::chrono::steady_clock::now();
+  work();
+  return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+}
+
+}  // namespace
+
+void ModelKeeper::add(const ReadyLine& line) {
+  LineResult result = LineResult::modelled;
+  const double seconds =
+      seconds_of([&] { result = modeler_.add_scan_line(line.beams, line.poses); });
+  if (result == LineResult::malformed || result == LineResult::out_of_order) {
+    log_.dropped(to_string(result));
+    ROS_WARN_THROTTLE(5.0, "A line is dropped: it is %s.", to_string(result));
+    return;
+  }
+  log_.handled(to_string(result), seconds);
+  const double step_s = to_seconds(line.beams.stamp - last_stamp_);
+  if (last_stamp_ != Time(0) && step_s < 1.0) data_s_ += step_s;  // a longer step is a pause
+  last_stamp_ = line.beams.stamp;
+  ++version_;
+}
+
+void ModelKeeper::correct(const std::vector<StampedPose>& trajectory) {
+  Before before{modeler_.planes_as_built(), modeler_.planes(), modeler_.trajectory()};
+  correction_ms_ = 1e3 * seconds_of([&] { modeler_.correct(trajectory); });
+  before_ = std::move(before);
+  ++version_;
+}
+
+void ModelKeeper::reset() {
+  modeler_.reset();
+  log_ = {};
+  before_ = {};
+  correction_ms_ = data_s_ = 0.0;
+  last_stamp_ = Time(0);
+  ++version_;
+}
+
+const std::vector<Plane>& ModelKeeper::planes() {
+  if (merged_version_ != version_) merged_ = modeler_.planes();
+  merged_version_ = version_;
+  return merged_;
+}
+
+double ModelKeeper::real_time_factor() const {
+  return log_.busy_s() > 0.0 ? data_s_ / log_.busy_s() : 0.0;
+}
+
+}  // namespace ribbon_mapper

@@ -1,0 +1,65 @@
+// SPDX-FileCopyrightText: 2026 ribbon_mapper authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "modeler/ros/node/model_publisher.hpp"
+
+#include <utility>
+
+#include "modeler/ros/messages/message_conversions.hpp"
+#include "modeler/ros/messages/plane_messages.hpp"
+
+namespace ribbon_mapper {
+
+ModelPublisher::ModelPublisher(ros::NodeHandle& private_node, std::string map_frame)
+    : map_frame_(std::move(map_frame)) {
+  // A new listener gets all with the next call; what is latched may be as old as the last listener.
+  const ros::SubscriberStatusCallback greet = [this](const ros::SingleSubscriberPublisher&) {
+    all_again_ = true;
+  };
+  const auto advertise = [&](auto message, const char* topic, bool latch) {
+    return private_node.advertise<decltype(message)>(topic, 2, greet, {}, {}, latch);
+  };
+  planes_ = advertise(PlaneArray(), "planes", true);
+  // Not latched: the last message holds the last changes only.
+  markers_ = advertise(visualization_msgs::MarkerArray(), "markers", false);
+  markers_before_ = advertise(visualization_msgs::MarkerArray(), "markers_before", true);
+  cloud_ = advertise(sensor_msgs::PointCloud2(), "cloud", true);
+  trajectory_ = advertise(nav_msgs::Path(), "trajectory", true);
+  trajectory_before_ = advertise(nav_msgs::Path(), "trajectory_before", true);
+}
+
+std_msgs::Header ModelPublisher::header() const {
+  std_msgs::Header header;
+  header.frame_id = map_frame_;
+  header.stamp = ros::Time::now();
+  return header;
+}
+
+void ModelPublisher::publish(ModelKeeper& keeper, Time done) {
+  const bool all = std::exchange(all_again_, false);
+  if (all) plane_markers_.forget();
+  if (all || version_ != keeper.version()) publish_planes(keeper);
+  const std::size_t revision = keeper.modeler().statistics().revision;
+  if (all || revision_ != revision) publish_before(keeper);
+  if ((all || version_ != keeper.version() || done_ != done) && trajectory_.getNumSubscribers() > 0)
+    trajectory_.publish(path_message(keeper.modeler().trajectory(), map_frame_, done));
+  version_ = keeper.version();
+  revision_ = revision;
+  done_ = done;
+}
+
+void ModelPublisher::publish_planes(ModelKeeper& keeper) {
+  const auto wanted = [](const ros::Publisher& topic) { return topic.getNumSubscribers() > 0; };
+  if (!wanted(planes_) && !wanted(markers_) && !wanted(cloud_)) return;
+  const std::vector<Plane>& planes = keeper.planes();
+  const std::size_t revision = keeper.modeler().statistics().revision;
+  if (wanted(planes_)) planes_.publish(plane_array_message(planes, header(), revision, false));
+  if (wanted(markers_)) markers_.publish(plane_markers_.changes(planes, header()));
+  if (wanted(cloud_)) cloud_.publish(cell_cloud(planes, header()));
+}
+
+void ModelPublisher::publish_before(const ModelKeeper& keeper) {
+  markers_before_.publish(white_markers(keeper.before().planes, header()));
+  trajectory_before_.publish(path_message(keeper.before().trajectory, map_frame_, Time(0)));
+}
+
+}  // namespace ribbon_mapper

@@ -1,0 +1,39 @@
+// SPDX-FileCopyrightText: 2026 ribbon_mapper authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <ros/node_handle.h>
+#include <ros/publisher.h>
+
+#include <string>
+
+#include "modeler/ros/messages/plane_markers.hpp"
+#include "modeler/ros/node/model_keeper.hpp"
+
+namespace ribbon_mapper {
+
+/// Publishes the model on ~planes, ~markers, ~markers_before, ~cloud, ~trajectory and
+/// ~trajectory_before: what has changed, and only while somebody listens.
+class ModelPublisher {
+ public:
+  ModelPublisher(ros::NodeHandle& private_node, std::string map_frame);
+
+  /// To be called about once a second. `done`: stamp of the last line that was dealt with; it
+  /// stamps the trajectory, so that a listener knows how far the model is.
+  void publish(ModelKeeper& keeper, Time done);
+
+ private:
+  ros::Publisher advertise_markers(ros::NodeHandle& node);
+  std_msgs::Header header() const;
+  void publish_planes(ModelKeeper& keeper);
+  void publish_before(const ModelKeeper& keeper);
+
+  std::string map_frame_;
+  ros::Publisher planes_, markers_, markers_before_, cloud_, trajectory_, trajectory_before_;
+  PlaneMarkers plane_markers_;
+  std::size_t version_ = 0, revision_ = 0;
+  Time done_{-1};
+  bool all_again_ = true;  ///< somebody new listens
+};
+
+}  // namespace ribbon_mapper

@@ -1,0 +1,67 @@
+// SPDX-FileCopyrightText: 2026 ribbon_mapper authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "modeler/ros/node/model_services.hpp"
+
+#include <exception>
+
+#include "modeler/io/save.hpp"
+#include "modeler/ros/messages/plane_messages.hpp"
+
+namespace ribbon_mapper {
+namespace {
+
+std::vector<Plane> planes_asked_for(const GetModel::Request& request, ModelKeeper& keeper) {
+  if (request.which == GetModel::Request::BEFORE_CORRECTION)
+    return request.merged ? keeper.before().planes : keeper.before().planes;
+  return request.merged ? keeper.planes() : keeper.modeler().planes_as_built();
+}
+
+/// Empty: nothing is wrong with the request.
+std::string defect_of(const GetModel::Request& request, std::size_t revision) {
+  if (request.which > GetModel::Request::BEFORE_CORRECTION)
+    return "which must be CURRENT (0) or BEFORE_CORRECTION (1)";
+  if (request.which == GetModel::Request::BEFORE_CORRECTION && revision == 0)
+    return "there was no correction yet";
+  return "";
+}
+
+}  // namespace
+
+GetModel::Response model_response(const GetModel::Request& request, ModelKeeper& keeper,
+                                  const std::string& map_frame) {
+  const ModelStatistics statistics = keeper.modeler().statistics();
+  GetModel::Response response;
+  response.message = defect_of(request, statistics.revision);
+  response.success = response.message.empty();
+  if (!response.success) return response;
+  std_msgs::Header header;
+  header.frame_id = map_frame;
+  header.stamp = ros::Time::now();
+  response.planes = plane_array_message(planes_asked_for(request, keeper), header,
+                                        statistics.revision, request.cells);
+  response.message = std::to_string(response.planes.planes.size()) + " planes";
+  response.lines = keeper.log().lines();
+  response.dropped_lines = keeper.log().dropped_lines();
+  response.ribbons = statistics.ribbons;
+  response.us_per_line = keeper.log().median_line_us();
+  response.correction_ms = keeper.correction_ms();
+  return response;
+}
+
+Save::Response save_response(const std::string& name, ModelKeeper& keeper,
+                             const std::filesystem::path& directory) {
+  Save::Response response;
+  try {
+    check_save_name(name);
+    const std::vector<Plane>& planes = keeper.planes();
+    response.message = std::to_string(planes.size()) + " planes written to";
+    for (const std::filesystem::path& file : save_model(planes, directory, name))
+      response.message += " " + file.string();
+    response.success = true;
+  } catch (const std::exception& error) {
+    response.message = error.what();
+  }
+  return response;
+}
+
+}  // namespace ribbon_mapper

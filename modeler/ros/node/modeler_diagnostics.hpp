@@ -1,0 +1,33 @@
+// SPDX-FileCopyrightText: 2026 ribbon_mapper authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <diagnostic_updater/diagnostic_updater.h>
+
+#include <string>
+
+#include "modeler/ros/intake/line_intake.hpp"
+#include "modeler/ros/node/model_keeper.hpp"
+
+namespace ribbon_mapper {
+
+/// How the modeler fares, on /diagnostics: lines in, lines dropped by reason, real-time factor and
+/// memory. Both arguments must outlive it.
+class ModelerDiagnostics {
+ public:
+  ModelerDiagnostics(const ModelKeeper& keeper, const LineIntake& intake, std::string scan_topic);
+  void publish() { updater_.force_update(); }
+
+ private:
+  void lines(diagnostic_updater::DiagnosticStatusWrapper& status);
+  void model(diagnostic_updater::DiagnosticStatusWrapper& status);
+
+  const ModelKeeper& keeper_;
+  const LineIntake& intake_;
+  std::string scan_topic_;
+  diagnostic_updater::Updater updater_;
+  std::size_t lines_before_ = 0, dropped_before_ = 0;  ///< at the last report
+  std::size_t reports_ = 0, model_bytes_ = 0;
+};
+
+}  // namespace ribbon_mapper

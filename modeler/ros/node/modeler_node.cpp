@@ -1,0 +1,196 @@
+// SPDX-FileCopyrightText: 2026 ribbon_mapper authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include <ros/ros.h>
+#include <std_srvs/Trigger.h>
+
+#include <filesystem>
+#include <utility>
+
+#include "modeler/io/config_file.hpp"
+#include "modeler/ros/intake/clock_guard.hpp"
+#include "modeler/ros/intake/input_watch.hpp"
+#include "modeler/ros/intake/line_intake.hpp"
+#include "modeler/ros/intake/tf_feed.hpp"
+#include "modeler/ros/intake/time_jump.hpp"
+#include "modeler/ros/messages/message_conversions.hpp"
+#include "modeler/ros/messages/transform_entry.hpp"
+#include "modeler/ros/node/model_publisher.hpp"
+#include "modeler/ros/node/model_services.hpp"
+#include "modeler/ros/node/modeler_diagnostics.hpp"
+#include "modeler/ros/node/strict_parameters.hpp"
+
+namespace ribbon_mapper {
+namespace {
+
+struct NodeParameters {
+  ModelerConfig config;
+  IntakeOptions intake;
+  double tf_cache_s;
+  std::set<std::string> tf_drop_frames;
+  OnTimeJump on_time_jump;
+  std::filesystem::path output_dir;
+
+  static NodeParameters read() {
+    StrictParameters from;
+    NodeParameters p;
+    const std::string config = from.required_text("config", "a YAML file, such as config/pr2.yaml");
+    Frames& frames = p.intake.frames;
+    frames.map = without_slash(from.text("map_frame", frames.map));
+    frames.odom = without_slash(from.text("odom_frame", frames.odom));
+    frames.base = without_slash(from.text("base_frame", frames.base));
+    p.intake.transform_timeout_s = from.number("transform_timeout", 2.0, 0.1, 60.0);
+    p.intake.scan_time_offset_s = from.number("scan_time_offset", 0.0, -1.0, 1.0);
+    p.tf_cache_s = from.number("tf_cache", 120.0, 10.0, 3600.0);
+    p.tf_drop_frames = frames_from(from.text("tf_drop_frames", ""));
+    p.on_time_jump = on_time_jump_from(from.text("on_time_jump", "reset"));
+    p.output_dir = std::filesystem::absolute(from.text("output_dir", "models"));
+    from.refuse_unknown();
+    p.config = load_config(config);
+    return p;
+  }
+};
+
+/// The modeler on ROS. All callbacks are served by one thread, none of them waits.
+class ModelerNode {
+ public:
+  explicit ModelerNode(const NodeParameters& parameters);
+
+ private:
+  void on_scan(const sensor_msgs::LaserScan& scan);
+  void on_corrected_trajectory(const nav_msgs::Path& path);
+  bool on_reset(std_srvs::Trigger::Request&, std_srvs::Trigger::Response& response);
+  bool on_save(Save::Request& request, Save::Response& response);
+  bool on_get_model(GetModel::Request& request, GetModel::Response& response);
+  void take_lines();
+  void report();
+  void on_time_jump();
+
+  NodeParameters parameters_;
+  ros::NodeHandle node_, private_node_{"~"};
+  ModelKeeper keeper_;
+  LineIntake intake_;
+  ClockGuard clock_;
+  TfFeed tf_;
+  ModelPublisher publisher_;
+  ModelerDiagnostics diagnostics_;
+  ros::ServiceServer reset_, save_, get_model_;
+  ros::Subscriber corrected_trajectory_, scan_;
+  ros::WallTimer line_timer_, report_timer_;
+  InputWatch watch_;
+  bool stopped_ = false;  ///< by a time jump, until ~reset
+  std::size_t reports_ = 0, reported_lines_ = 0, reported_drops_ = 0;
+};
+
+ModelerNode::ModelerNode(const NodeParameters& parameters)
+    : parameters_(parameters),
+      keeper_(parameters.config),
+      intake_(parameters.intake, keeper_.log()),
+      tf_(node_, parameters.tf_cache_s, parameters.tf_drop_frames),
+      publisher_(private_node_, parameters.intake.frames.map),
+      diagnostics_(keeper_, intake_, node_.resolveName("scan")),
+      watch_(node_.resolveName("scan")) {
+  reset_ = private_node_.advertiseService("reset", &ModelerNode::on_reset, this);
+  save_ = private_node_.advertiseService("save", &ModelerNode::on_save, this);
+  get_model_ = private_node_.advertiseService("get_model", &ModelerNode::on_get_model, this);
+  corrected_trajectory_ =
+      node_.subscribe("corrected_trajectory", 2, &ModelerNode::on_corrected_trajectory, this);
+  // Last, so that all else is ready for the first line; long, so that a correction loses none.
+  scan_ = node_.subscribe("scan", 5000, &ModelerNode::on_scan, this);
+  line_timer_ = node_.createWallTimer(ros::WallDuration(0.02),
+                                      [this](const ros::WallTimerEvent&) { take_lines(); });
+  report_timer_ = node_.createWallTimer(ros::WallDuration(1.0),
+                                        [this](const ros::WallTimerEvent&) { report(); });
+}
+
+void ModelerNode::on_scan(const sensor_msgs::LaserScan& scan) {
+  if (clock_.went_back()) on_time_jump();
+  watch_.saw(scan);
+  if (stopped_) return;
+  intake_.add(scan, Moment::now());
+  take_lines();
+}
+
+void ModelerNode::take_lines() {
+  if (clock_.went_back()) on_time_jump();
+  const Moment now = Moment::now();
+  while (const std::optional<ReadyLine> line = intake_.next(tf_.buffer(), now)) keeper_.add(*line);
+  const LineLog& log = keeper_.log();
+  if (std::exchange(reported_drops_, log.dropped_lines()) == log.dropped_lines()) return;
+  ROS_WARN_THROTTLE(5.0, "A line is dropped: %s. %zu dropped so far.", log.newest_drop().c_str(),
+                    log.dropped_lines());
+}
+
+void ModelerNode::on_corrected_trajectory(const nav_msgs::Path& path) {
+  take_lines();
+  try {
+    keeper_.correct(trajectory_of(path, parameters_.intake.frames.map));
+  } catch (const std::invalid_argument& error) {
+    ROS_ERROR("Corrected trajectory of %zu poses refused: %s. The model stays as it was.",
+              path.poses.size(), error.what());
+    return;
+  }
+  ROS_INFO("Corrected by a trajectory of %zu poses in %.0f ms: %zu planes before, %zu now.",
+           path.poses.size(), keeper_.correction_ms(), keeper_.before().planes.size(),
+           keeper_.planes().size());
+  publisher_.publish(keeper_, intake_.done());
+}
+
+bool ModelerNode::on_reset(std_srvs::Trigger::Request&, std_srvs::Trigger::Response& response) {
+  intake_.restart("reset");
+  keeper_.reset();
+  stopped_ = false;
+  response.success = true;
+  response.message = "the model is empty";
+  return true;
+}
+
+bool ModelerNode::on_save(Save::Request& request, Save::Response& response) {
+  response = save_response(request.name, keeper_, parameters_.output_dir);
+  if (!response.success) ROS_ERROR("Not saved: %s", response.message.c_str());
+  return true;
+}
+
+bool ModelerNode::on_get_model(GetModel::Request& request, GetModel::Response& response) {
+  take_lines();
+  response = model_response(request, keeper_, parameters_.intake.frames.map);
+  return true;
+}
+
+/// A bag or a simulation was started again: lines of before and after do not fit one trajectory.
+void ModelerNode::on_time_jump() {
+  intake_.restart("the clock was set back");
+  if (parameters_.on_time_jump == OnTimeJump::reset) keeper_.reset();
+  stopped_ = parameters_.on_time_jump == OnTimeJump::stop;
+  ROS_WARN("Simulated time went back: %s", what_happens_on(parameters_.on_time_jump));
+}
+
+void ModelerNode::report() {
+  publisher_.publish(keeper_, intake_.done());
+  diagnostics_.publish();
+  const ModelStatistics statistics = keeper_.modeler().statistics();
+  if (++reports_ % 5 != 0) return;  // counted, not throttled: simulated time may stand still
+  const std::string complaint = watch_.complaint(intake_, tf_.transforms());
+  if (!complaint.empty()) {
+    ROS_WARN("%s", complaint.c_str());
+  } else if (std::exchange(reported_lines_, keeper_.log().lines()) != keeper_.log().lines()) {
+    ROS_INFO("%zu lines (%zu dropped), %zu ribbons, %zu planes, %.0f times real time",
+             keeper_.log().lines(), keeper_.log().dropped_lines(), statistics.ribbons,
+             keeper_.modeler().planes_as_built().size(), keeper_.real_time_factor());
+  }
+}
+
+}  // namespace
+}  // namespace ribbon_mapper
+
+int main(int argc, char** argv) {
+  ros::init(argc, argv, "modeler");
+  const ros::NodeHandle keeps_logging_up;
+  try {
+    ribbon_mapper::ModelerNode node(ribbon_mapper::NodeParameters::read());
+    ros::spin();
+  } catch (const std::exception& error) {
+    ROS_FATAL("%s", error.what());
+    return 1;
+  }
+  return 0;
+}

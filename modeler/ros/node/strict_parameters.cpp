@@ -1,0 +1,92 @@
+// SPDX-FileCopyrightText: 2026 ribbon_mapper authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "modeler/ros/node/strict_parameters.hpp"
+
+#include <ros/param.h>
+#include <ros/this_node.h>
+
+#include <sstream>
+#include <stdexcept>
+#include <vector>
+
+namespace ribbon_mapper {
+namespace {
+
+using XmlRpc::XmlRpcValue;
+
+[[noreturn]] void refuse(const std::string& name, const std::string& why) {
+  throw std::invalid_argument("parameter " + name + " " + why);
+}
+
+template <typename Number>
+Number within(const std::string& name, Number value, Number least, Number most) {
+  if (value >= least && value <= most) return value;
+  std::ostringstream why;
+  why << "is " << value << ", allowed are " << least << " to " << most;
+  refuse(name, why.str());
+}
+
+}  // namespace
+
+std::string StrictParameters::full_name(const std::string& key) {
+  known_.insert(key);
+  return ros::this_node::getName() + "/" + key;
+}
+
+std::string StrictParameters::text(const std::string& key, const std::string& fallback) {
+  const std::string name = full_name(key);
+  XmlRpcValue value;
+  if (!ros::param::get(name, value)) return fallback;
+  if (value.getType() != XmlRpcValue::TypeString) refuse(name, "must be a text");
+  return static_cast<std::string>(value);
+}
+
+std::string StrictParameters::required_text(const std::string& key, const std::string& meaning) {
+  const std::string value = text(key, "");
+  if (value.empty()) refuse(full_name(key), "is missing: set it to " + meaning);
+  return value;
+}
+
+double StrictParameters::number(const std::string& key, double fallback, double least,
+                                double most) {
+  const std::string name = full_name(key);
+  XmlRpcValue value;
+  if (!ros::param::get(name, value)) return fallback;
+  if (value.getType() == XmlRpcValue::TypeInt)
+    return within(name, static_cast<double>(static_cast<int>(value)), least, most);
+  if (value.getType() != XmlRpcValue::TypeDouble) refuse(name, "must be a number");
+  return within(name, static_cast<double>(value), least, most);
+}
+
+int StrictParameters::integer(const std::string& key, int fallback, int least, int most) {
+  const std::string name = full_name(key);
+  XmlRpcValue value;
+  if (!ros::param::get(name, value)) return fallback;
+  if (value.getType() != XmlRpcValue::TypeInt) refuse(name, "must be a whole number");
+  return within(name, static_cast<int>(value), least, most);
+}
+
+bool StrictParameters::flag(const std::string& key, bool fallback) {
+  const std::string name = full_name(key);
+  XmlRpcValue value;
+  if (!ros::param::get(name, value)) return fallback;
+  if (value.getType() != XmlRpcValue::TypeBoolean) refuse(name, "must be true or false");
+  return static_cast<bool>(value);
+}
+
+void StrictParameters::refuse_unknown() const {
+  const std::string prefix = ros::this_node::getName() + "/";
+  std::vector<std::string> names;
+  ros::param::getParamNames(names);
+  for (const std::string& name : names) {
+    if (name.rfind(prefix, 0) != 0) continue;
+    const std::string key =
+        name.substr(prefix.size(), name.find('/', prefix.size()) - prefix.size());
+    if (known_.count(key) != 0) continue;
+    std::string list;
+    for (const std::string& known : known_) list += " ~" + known;
+    refuse(prefix + key, "is unknown; there are" + list);
+  }
+}
+
+}  // namespace ribbon_mapper

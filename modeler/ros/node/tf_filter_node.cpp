@@ -1,0 +1,60 @@
+// SPDX-FileCopyrightText: 2026 ribbon_mapper authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include <ros/ros.h>
+#include <tf2_msgs/TFMessage.h>
+
+#include <set>
+#include <string>
+
+#include "modeler/ros/messages/message_conversions.hpp"
+#include "modeler/ros/messages/transform_entry.hpp"
+#include "modeler/ros/node/strict_parameters.hpp"
+
+namespace ribbon_mapper {
+namespace {
+
+/// Passes the transforms of a bag on, without those that a localisation which runs now provides,
+/// and without leading slashes: from `tf_recorded` to `/tf`.
+class TfFilterNode {
+ public:
+  explicit TfFilterNode(std::set<std::string> drop_frames) : drop_frames_(std::move(drop_frames)) {
+    tf_ = node_.advertise<tf2_msgs::TFMessage>("/tf", 10000);
+    recorded_ = node_.subscribe("tf_recorded", 10000, &TfFilterNode::on_tf, this,
+                                ros::TransportHints().tcpNoDelay());
+  }
+
+ private:
+  void on_tf(const tf2_msgs::TFMessage& message) {
+    tf2_msgs::TFMessage kept;
+    for (geometry_msgs::TransformStamped transform : message.transforms) {
+      transform.header.frame_id = without_slash(transform.header.frame_id);
+      transform.child_frame_id = without_slash(transform.child_frame_id);
+      if (drop_frames_.count(transform.header.frame_id) == 0) kept.transforms.push_back(transform);
+    }
+    if (!kept.transforms.empty()) tf_.publish(kept);
+  }
+
+  std::set<std::string> drop_frames_;
+  ros::NodeHandle node_;
+  ros::Publisher tf_;
+  ros::Subscriber recorded_;
+};
+
+}  // namespace
+}  // namespace ribbon_mapper
+
+int main(int argc, char** argv) {
+  ros::init(argc, argv, "tf_filter");
+  const ros::NodeHandle keeps_logging_up;
+  try {
+    ribbon_mapper::StrictParameters from;
+    const auto drop_frames = ribbon_mapper::frames_from(from.text("drop_frames", ""));
+    from.refuse_unknown();
+    const ribbon_mapper::TfFilterNode node(drop_frames);
+    ros::spin();
+  } catch (const std::exception& error) {
+    ROS_FATAL("%s", error.what());
+    return 1;
+  }
+  return 0;
+}

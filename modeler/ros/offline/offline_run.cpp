@@ -1,0 +1,122 @@
+// SPDX-FileCopyrightText: 2026 ribbon_mapper authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "modeler/ros/offline/offline_run.hpp"
+
+#include <algorithm>
+#include <stdexcept>
+
+#include "modeler/assembly/model_quality.hpp"
+#include "modeler/io/atomic_file.hpp"
+#include "modeler/io/config_file.hpp"
+#include "modeler/io/planes_json.hpp"
+#include "modeler/io/save.hpp"
+#include "modeler/io/tum.hpp"
+#include "modeler/program/installed_files.hpp"
+#include "modeler/ros/node/model_keeper.hpp"
+#include "modeler/surface/outline.hpp"
+
+namespace ribbon_mapper {
+namespace {
+
+void take_lines(const OfflineOptions& options, ModelKeeper& keeper, OfflineSummary& summary,
+                const ProgressCallback& progress) {
+  BagLines lines(options.bags, options.bag, keeper.log());
+  summary.scan_topic = lines.scan_topic();
+  Time first{0};
+  while (const std::optional<ReadyLine> line = lines.next()) {
+    keeper.add(*line);
+    if (first == Time(0)) first = line->beams.stamp;
+    summary.recording_s = to_seconds(line->beams.stamp - first);
+    progress({keeper.log().lines(), lines.line_count(), keeper.modeler().statistics().ribbons,
+              summary.recording_s, keeper.log().busy_s()});
+  }
+}
+
+void require_lines(const ModelKeeper& keeper) {
+  const LineLog& log = keeper.log();
+  if (log.lines() == 0) throw std::runtime_error("there is no scan in the bag");
+  if (!keeper.modeler().trajectory().empty()) return;
+  std::string why = "no line could be modelled of " + std::to_string(log.lines());
+  for (const auto& [reason, count] : log.dropped_by_reason()) {
+    why += "\n  " + std::to_string(count) + " x " + reason;
+  }
+  for (const auto& [outcome, count] : log.handled_by_outcome()) {
+    why += "\n  " + std::to_string(count) + " x " + outcome;
+  }
+  throw std::runtime_error(why + "\n`bag_check` says more");
+}
+
+/// Then no localisation can be wrong from line to line.
+bool stands_still(const std::vector<StampedPose>& trajectory) {
+  const Pose T_first_map = trajectory.front().T_map_base.inverse(Eigen::Isometry);
+  return std::all_of(trajectory.begin(), trajectory.end(), [&](const StampedPose& pose) {
+    const Pose moved = T_first_map * pose.T_map_base;
+    return moved.translation().norm() < 0.001 && angle_of(moved) < 0.001;
+  });
+}
+
+/// The final poses, if they are known to agree all along the way; says where they are from.
+std::vector<StampedPose> final_poses(const OfflineOptions& options, const Modeler& modeler,
+                                     std::string& origin) {
+  if (!options.trajectory.empty()) {
+    origin = options.trajectory.filename().string();
+    return read_tum(options.trajectory);
+  }
+  const bool still = stands_still(modeler.trajectory());
+  origin = still                     ? "recorded, the base stands still"
+           : options.poses_are_final ? "recorded, final"
+                                     : "recorded, not corrected";
+  if (still || options.poses_are_final) return modeler.trajectory();
+  return {};
+}
+
+std::vector<Plane> with_outlines(std::vector<Plane> planes, double bridged_gap_m) {
+  for (Plane& plane : planes) {
+    if (plane.outline.empty()) plane.outline = outline_of(plane, bridged_gap_m);
+  }
+  return planes;
+}
+
+void describe(const ModelKeeper& keeper, const PlaneMapConfig& config, OfflineRun& run) {
+  OfflineSummary& s = run.summary;
+  s.lines = keeper.log().lines();
+  s.dropped_lines = keeper.log().dropped_by_reason();
+  s.handled_lines = keeper.log().handled_by_outcome();
+  s.ribbons = keeper.modeler().statistics().ribbons;
+  s.planes_before = run.planes_before.size();
+  s.planes = run.planes_after.size();
+  DuplicateRule rule;
+  rule.touching_m = config.stripe_gap_m;
+  s.duplicates = duplicates_of_larger(run.planes_after, rule).size();
+  s.points = point_count(run.planes_after);
+  s.residual_m_median = median_residual_m(run.planes_after);
+}
+
+}  // namespace
+
+OfflineRun model_bags(const OfflineOptions& options, const ProgressCallback& progress) {
+  const ModelerConfig config = load_config(find_shared(options.config).string());
+  ModelKeeper keeper(config);
+  OfflineRun run;
+  for (const auto& bag : options.bags) run.summary.bags.push_back(bag.filename().string());
+  run.summary.config = shared_name(find_shared(options.config)).string();
+  take_lines(options, keeper, run.summary, progress);
+  require_lines(keeper);
+
+  run.planes_before = with_outlines(keeper.modeler().planes_as_built(), config.map.bridged_gap_m);
+  const auto poses = final_poses(options, keeper.modeler(), run.summary.trajectory);
+  if (!poses.empty()) keeper.correct(poses);
+  run.planes_after = keeper.planes();
+  run.trajectory = keeper.modeler().trajectory();
+  describe(keeper, config.map, run);
+  return run;
+}
+
+void write_model(const OfflineRun& run, const std::filesystem::path& directory) {
+  create_directory_for_files(directory);
+  write_file_atomically(directory / "planes_before.json", planes_to_json(run.planes_before));
+  write_file_atomically(directory / "trajectory.tum", to_tum(run.trajectory));
+  save_model(run.planes_after, directory, "planes_after");
+}
+
+}  // namespace ribbon_mapper

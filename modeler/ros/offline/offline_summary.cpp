@@ -1,0 +1,70 @@
+// SPDX-FileCopyrightText: 2026 ribbon_mapper authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "modeler/ros/offline/offline_summary.hpp"
+
+#include <iomanip>
+#include <nlohmann/json.hpp>
+#include <sstream>
+
+#include "modeler/program/version.hpp"
+
+namespace ribbon_mapper {
+
+std::size_t dropped_total(const OfflineSummary& summary) {
+  std::size_t total = 0;
+  for (const auto& [reason, count] : summary.dropped_lines) total += count;
+  return total;
+}
+
+double real_time_factor(const OfflineSummary& summary) {
+  return summary.wall_s > 0.0 ? summary.recording_s / summary.wall_s : 0.0;
+}
+
+std::string summary_to_json(const OfflineSummary& s) {
+  using Json = nlohmann::ordered_json;
+  const Json none = Json::object();
+  const Json json{
+      {"bags", s.bags},
+      {"config", s.config},
+      {"scan_topic", s.scan_topic},
+      {"trajectory", s.trajectory},
+      {"lines", s.lines},
+      {"dropped_lines", s.dropped_lines.empty() ? none : Json(s.dropped_lines)},
+      {"dropped_lines_total", dropped_total(s)},
+      {"handled_lines", s.handled_lines.empty() ? none : Json(s.handled_lines)},
+      {"ribbons", s.ribbons},
+      {"planes_before", s.planes_before},
+      {"planes", s.planes},
+      {"duplicates", s.duplicates},
+      {"points", s.points},
+      {"residual_m_median", s.residual_m_median ? Json(*s.residual_m_median) : Json(nullptr)},
+      {"recording_s", s.recording_s},
+      {"real_time_factor", real_time_factor(s)},
+      {"wall_s", s.wall_s},
+      {"cpu_s", s.cpu_s},
+      {"peak_memory_mib", s.peak_memory_mib},
+      {"version", version()}};
+  return json.dump(2) + "\n";
+}
+
+std::string summary_text(const OfflineSummary& s) {
+  std::ostringstream text;
+  text << std::fixed << std::setprecision(1);
+  text << s.lines << " lines, " << dropped_total(s) << " dropped, " << s.ribbons << " ribbons\n";
+  for (const auto& [reason, count] : s.dropped_lines) {
+    text << "  dropped: " << count << " x " << reason << "\n";
+  }
+  for (const auto& [outcome, count] : s.handled_lines)
+    text << "  " << outcome << ": " << count << "\n";
+  text << s.planes << " planes (" << s.planes_before << " as built on the way), " << s.duplicates
+       << " duplicates";
+  if (s.residual_m_median) text << ", median residual " << 1e3 * *s.residual_m_median << " mm";
+  text << "\nposes: " << s.trajectory << "\n";
+  text << s.recording_s << " s of recording in " << std::setprecision(2) << s.wall_s << " s ("
+       << std::setprecision(0) << real_time_factor(s) << " x real time, " << std::setprecision(2)
+       << s.cpu_s << " s CPU), peak memory " << std::setprecision(0) << s.peak_memory_mib
+       << " MiB\n";
+  return text.str();
+}
+
+}  // namespace ribbon_mapper

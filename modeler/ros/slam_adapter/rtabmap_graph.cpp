@@ -1,0 +1,81 @@
+// SPDX-FileCopyrightText: 2026 ribbon_mapper authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "modeler/ros/slam_adapter/rtabmap_graph.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+
+#include "modeler/ros/slam_adapter/wire_reader.hpp"
+
+namespace ribbon_mapper {
+namespace {
+
+/// Numbers of the fields that are wanted, in the order in which they came.
+using Columns = std::map<std::string, std::vector<double>>;
+
+const std::vector<std::string> kPose{"position.x",    "position.y",    "position.z",
+                                     "orientation.w", "orientation.x", "orientation.y",
+                                     "orientation.z"};
+
+Columns read(const std::string& definition, const std::uint8_t* data, std::size_t size) {
+  Columns columns;
+  for (const std::string& prefix : {std::string(), std::string("graph.")}) {
+    columns[prefix + "posesId"];
+    for (const std::string& part : kPose) columns[prefix + "poses." + part];
+  }
+  columns["nodes.id"], columns["nodes.stamp"];
+  WireReader(definition).read(data, size, [&](const std::string& path, double value) {
+    const auto column = columns.find(path);
+    if (column != columns.end()) column->second.push_back(value);
+  });
+  return columns;
+}
+
+std::map<int, Pose> poses_in(Columns& columns, const std::string& prefix) {
+  const std::vector<double>& ids = columns[prefix + "posesId"];
+  std::map<int, Pose> poses;
+  for (std::size_t i = 0; i < ids.size(); ++i) {
+    std::vector<double> v;
+    for (const std::string& part : kPose) {
+      const std::vector<double>& column = columns[prefix + "poses." + part];
+      if (i >= column.size()) throw std::invalid_argument("the graph has ids without poses");
+      v.push_back(column[i]);
+    }
+    const Eigen::Quaterniond rotation(v[3], v[4], v[5], v[6]);
+    if (!(std::abs(rotation.norm() - 1.0) < 0.01)) continue;
+    poses[static_cast<int>(ids[i])] =
+        Eigen::Translation3d(v[0], v[1], v[2]) * rotation.normalized();
+  }
+  return poses;
+}
+
+}  // namespace
+
+void RtabmapGraph::take(const std::string& definition, const std::uint8_t* data, std::size_t size) {
+  Columns columns = read(definition, data, size);
+  const std::vector<double>&ids = columns["nodes.id"], &stamps = columns["nodes.stamp"];
+  for (std::size_t i = 0; i < std::min(ids.size(), stamps.size()); ++i) {
+    if (stamps[i] > 0.0 && stamps[i] < 4e9)
+      stamps_[static_cast<int>(ids[i])] = from_seconds(stamps[i]);
+  }
+  const bool has_nodes = !columns["graph.posesId"].empty();
+  std::map<int, Pose> poses = poses_in(columns, has_nodes ? "graph." : "");
+  if (poses.empty() && ids.empty()) {
+    throw std::invalid_argument("neither a MapGraph nor a MapData of RTAB-Map, or an empty one");
+  }
+  if (!poses.empty()) poses_ = std::move(poses);
+}
+
+std::vector<StampedPose> RtabmapGraph::trajectory() const {
+  std::map<Time, Pose> ordered;
+  for (const auto& [id, pose] : poses_) {
+    const auto stamp = stamps_.find(id);
+    if (stamp != stamps_.end()) ordered[stamp->second] = pose;
+  }
+  std::vector<StampedPose> trajectory;
+  for (const auto& [stamp, pose] : ordered) trajectory.push_back({stamp, pose});
+  return trajectory;
+}
+
+}  // namespace ribbon_mapper

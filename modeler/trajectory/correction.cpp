@@ -1,0 +1,89 @@
+// SPDX-FileCopyrightText: 2026 ribbon_mapper authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "modeler/trajectory/correction.hpp"
+
+#include <algorithm>
+#include <stdexcept>
+#include <string>
+
+namespace ribbon_mapper {
+namespace {
+
+/// Number of poses that are not later.
+std::size_t count_until(const TrackedPoses& poses, Time time) {
+  const std::vector<Time>& stamps = poses.stamps();
+  return static_cast<std::size_t>(std::upper_bound(stamps.begin(), stamps.end(), time) -
+                                  stamps.begin());
+}
+
+double fraction_of(Time time, Time from, Time to) {
+  return to_seconds(time - from) / to_seconds(to - from);
+}
+
+/// The recorded pose at a time within the recording's, interpolated.
+TrackedPose recorded_at(const TrackedPoses& recorded, Time time) {
+  const std::size_t after = count_until(recorded, time);
+  const TrackedPose from = recorded[after - 1];
+  if (from.in_map.stamp == time || after == recorded.size()) return from;
+  const TrackedPose to = recorded[after];
+  const double fraction = fraction_of(time, from.in_map.stamp, to.in_map.stamp);
+  return {{time, interpolate(from.in_map.T_map_base, to.in_map.T_map_base, fraction)},
+          interpolate(from.T_odom_base, to.T_odom_base, fraction)};
+}
+
+void require_usable(const std::vector<StampedPose>& trajectory) {
+  if (trajectory.empty()) throw std::invalid_argument("the corrected trajectory is empty");
+  for (std::size_t i = 0; i < trajectory.size(); ++i) {
+    if (!is_valid(trajectory[i].T_map_base)) {
+      throw std::invalid_argument("pose " + std::to_string(i) +
+                                  " of the corrected trajectory is not finite or not rigid");
+    }
+    if (i > 0 && trajectory[i].stamp <= trajectory[i - 1].stamp) {
+      throw std::invalid_argument("the corrected trajectory's stamps do not increase at pose " +
+                                  std::to_string(i) +
+                                  ": each pose needs the stamp of its own time");
+    }
+  }
+}
+
+}  // namespace
+
+Correction::Correction(const TrackedPoses& recorded, const std::vector<StampedPose>& corrected) {
+  require_usable(corrected);
+  const Time first = recorded.stamps().front(), last = recorded.stamps().back();
+  for (const StampedPose& pose : corrected) {
+    if (pose.stamp < first || pose.stamp > last) continue;
+    poses_.push_back({pose, recorded_at(recorded, pose.stamp).T_odom_base});
+  }
+  if (poses_.empty()) {
+    throw std::invalid_argument(
+        "no pose of the corrected trajectory lies within the model's time (" +
+        std::to_string(to_seconds(first)) + " to " + std::to_string(to_seconds(last)) +
+        " s): is it of another run?");
+  }
+  const auto change_at = [&](std::size_t index) {
+    const StampedPose now = poses_[index].in_map;
+    const Pose T_map_base = recorded_at(recorded, now.stamp).in_map.T_map_base;
+    return now.T_map_base * T_map_base.inverse(Eigen::Isometry);
+  };
+  first_change_ = change_at(0), last_change_ = change_at(poses_.size() - 1);
+}
+
+Pose Correction::corrected(const TrackedPose& recorded) const {
+  const Time stamp = recorded.in_map.stamp;
+  const std::size_t after = count_until(poses_, stamp), from = after - 1;
+  if (after == 0) return first_change_ * recorded.in_map.T_map_base;
+  if (poses_.stamps()[from] == stamp) return poses_.T_map_base()[from];
+  if (after == poses_.size()) return last_change_ * recorded.in_map.T_map_base;
+  // The change of the position is that at the robot's own place, not at the map's origin.
+  return interpolate(T_corrected_odom(from) * recorded.T_odom_base,
+                     T_corrected_odom(after) * recorded.T_odom_base,
+                     fraction_of(stamp, poses_.stamps()[from], poses_.stamps()[after]));
+}
+
+Pose Correction::T_corrected_odom(std::size_t index) const {
+  const TrackedPose pose = poses_[index];
+  return pose.in_map.T_map_base * pose.T_odom_base.inverse(Eigen::Isometry);
+}
+
+}  // namespace ribbon_mapper

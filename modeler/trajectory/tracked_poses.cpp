@@ -1,0 +1,31 @@
+// SPDX-FileCopyrightText: 2026 ribbon_mapper authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "modeler/trajectory/tracked_poses.hpp"
+
+#include "modeler/geometry/vector_storage.hpp"
+
+namespace ribbon_mapper {
+
+void TrackedPoses::push_back(const TrackedPose& pose) {
+  reserve_one_more(stamps_);
+  stamps_.push_back(pose.in_map.stamp);
+  T_map_base_.push_back(pose.in_map.T_map_base);
+  T_odom_base_.push_back(pose.T_odom_base);
+}
+
+void TrackedPoses::keep(const std::vector<std::uint32_t>& indices) {
+  keep_indices(indices, stamps_);
+  T_map_base_.keep(indices);
+  T_odom_base_.keep(indices);
+}
+
+TrackedPose TrackedPoses::operator[](std::size_t index) const {
+  return {{stamps_[index], T_map_base_[index]}, T_odom_base_[index]};
+}
+
+std::size_t TrackedPoses::memory_bytes() const {
+  return stamps_.capacity() * sizeof(Time) + T_map_base_.memory_bytes() +
+         T_odom_base_.memory_bytes();
+}
+
+}  // namespace ribbon_mapper

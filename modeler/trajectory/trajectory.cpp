@@ -1,0 +1,49 @@
+// SPDX-FileCopyrightText: 2026 ribbon_mapper authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "modeler/trajectory/trajectory.hpp"
+
+#include <stdexcept>
+
+namespace ribbon_mapper {
+
+void Trajectory::add(const TrackedPose& recorded) {
+  recorded_.push_back(recorded);
+  if (!correction_) return;
+  T_map_base_.push_back(config_.poses_follow ? recorded.in_map.T_map_base
+                                             : correction_->corrected(recorded));
+}
+
+void Trajectory::correct(const std::vector<StampedPose>& corrected) {
+  if (recorded_.empty()) throw std::invalid_argument("there is no model to correct yet");
+  correction_.emplace(recorded_, corrected);
+  if (T_map_base_.empty()) T_map_base_ = recorded_.T_map_base();
+  for (std::size_t i = 0; i < size(); ++i) {
+    T_map_base_.set(i, correction_->corrected(recorded_[i]));
+  }
+}
+
+void Trajectory::refine(const std::vector<StampedPose>& poses) {
+  for (std::size_t i = 0; i < size(); ++i) T_map_base_.set(i, poses[i].T_map_base);
+}
+
+void Trajectory::keep(const std::vector<std::uint32_t>& indices) {
+  recorded_.keep(indices);
+  if (!T_map_base_.empty()) T_map_base_.keep(indices);
+}
+
+Pose Trajectory::T_map_base(std::size_t index) const {
+  return T_map_base_.empty() ? recorded_.T_map_base()[index] : T_map_base_[index];
+}
+
+std::vector<StampedPose> Trajectory::poses() const {
+  std::vector<StampedPose> poses;
+  poses.reserve(size());
+  for (std::size_t i = 0; i < size(); ++i) poses.push_back({recorded_.stamps()[i], T_map_base(i)});
+  return poses;
+}
+
+std::size_t Trajectory::memory_bytes() const {
+  return recorded_.memory_bytes() + T_map_base_.memory_bytes();
+}
+
+}  // namespace ribbon_mapper

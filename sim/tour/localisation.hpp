@@ -1,0 +1,60 @@
+// SPDX-FileCopyrightText: 2026 ribbon_mapper authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <cstdint>
+#include <random>
+#include <vector>
+
+#include "modeler/geometry/pose.hpp"
+#include "sim/tour/route.hpp"
+
+namespace ribbon_mapper::sim {
+
+/// Noise of the simulated localisation, all of it scaled by `drift`. The figures are those of
+/// gmapping as the PR2 runs it (pr2_navigation_slam/slam_gmapping.xml).
+struct LocalisationConfig {
+  double drift = 1.0;  ///< multiplies every sigma below; 0: exact poses
+
+  // gmapping's motion model: sigma per reference step, which is one update of the filter.
+  double srr = 0.01;                  ///< translation from translation [m/m]
+  double srt = 0.02;                  ///< rotation from translation [rad/m]
+  double str = 0.01;                  ///< translation from rotation [m/rad]
+  double stt = 0.02;                  ///< rotation from rotation [rad/rad]
+  double linear_update_m = 0.5;       ///< reference step of a drive
+  double angular_update_rad = 0.436;  ///< reference step of a turn
+
+  // Scan matching: the optimiser ends at lstep and astep (0.05 m, 0.05 rad) halved five times;
+  // within a cell of the grid (delta 0.05 m) it cannot tell where it is: delta / sqrt(12), and
+  // that seen at the end of the beams (maxUrange 16 m) for the heading.
+  double jitter_m = 0.05 / 32.0;
+  double jitter_rad = 0.05 / 32.0;
+  double wander_m = 0.05 / 3.4641016151377544;
+  double wander_rad = 0.05 / 3.4641016151377544 / 16.0;
+
+  double odometry_rate_hz = 100.0;  ///< pr2_odometry.yaml
+  double map_rate_hz = 30.0;        ///< the paper: 25 to 30 Hz
+
+  void validate() const;  ///< throws std::invalid_argument naming the key and its range
+};
+
+/// What odometry and SLAM believe along a route. There is no loop closure in it.
+class Localisation {
+ public:
+  /// Throws std::invalid_argument if the configuration is not valid.
+  Localisation(const Route& route, const LocalisationConfig& config, std::uint64_t seed);
+
+  Pose T_odom_base(Time time) const;  ///< odom begins where the robot starts
+  Pose T_map_odom(Time time) const;   ///< between two corrections as tf interpolates
+
+ private:
+  void drive_odometry(std::mt19937_64& random);
+  void match_scans(std::mt19937_64& random);
+
+  Route route_;
+  LocalisationConfig config_;
+  std::vector<Pose> T_odom_map_;  ///< drift at the odometry's rate: T_odom_base * T_base_map
+  std::vector<Pose> T_map_odom_;  ///< at the map's rate
+};
+
+}  // namespace ribbon_mapper::sim

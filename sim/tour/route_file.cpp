@@ -1,0 +1,59 @@
+// SPDX-FileCopyrightText: 2026 ribbon_mapper authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include <yaml-cpp/yaml.h>
+
+#include <set>
+#include <stdexcept>
+
+#include "sim/tour/route.hpp"
+
+namespace ribbon_mapper::sim {
+namespace {
+
+void check_keys(const YAML::Node& root) {
+  if (!root.IsMap()) throw std::runtime_error("needs the keys speed, turn_rate and waypoints");
+  static const std::set<std::string> kKeys{"speed", "turn_rate", "waypoints", "rest"};
+  std::set<std::string> left = kKeys;
+  for (const auto& entry : root) {
+    const std::string key = entry.first.as<std::string>();
+    if (!kKeys.count(key))
+      throw std::runtime_error("unknown key '" + key + "'; use speed, turn_rate, waypoints, rest");
+    if (!left.erase(key)) throw std::runtime_error("key '" + key + "' is given twice");
+  }
+  left.erase("rest");
+  if (!left.empty()) throw std::runtime_error("key '" + *left.begin() + "' is missing");
+}
+
+double number(const YAML::Node& node, const std::string& key) {
+  try {
+    return node.as<double>();
+  } catch (const YAML::Exception&) {
+    throw std::runtime_error("'" + key + "' must be a number");
+  }
+}
+
+std::vector<Eigen::Vector2d> points_of(const YAML::Node& list) {
+  if (!list.IsSequence()) throw std::runtime_error("'waypoints' must be a list of [x, y]");
+  std::vector<Eigen::Vector2d> points;
+  for (const YAML::Node& point : list) {
+    if (!point.IsSequence() || point.size() != 2)
+      throw std::runtime_error("waypoint " + std::to_string(points.size() + 1) + " is no [x, y]");
+    points.emplace_back(number(point[0], "waypoints"), number(point[1], "waypoints"));
+  }
+  return points;
+}
+
+}  // namespace
+
+Route Route::load(const std::string& path) {
+  try {
+    const YAML::Node root = YAML::LoadFile(path);
+    check_keys(root);
+    return Route(number(root["speed"], "speed"), number(root["turn_rate"], "turn_rate"),
+                 points_of(root["waypoints"]), root["rest"] ? number(root["rest"], "rest") : 0.0);
+  } catch (const std::exception& error) {
+    throw std::runtime_error("route " + path + ": " + error.what());
+  }
+}
+
+}  // namespace ribbon_mapper::sim

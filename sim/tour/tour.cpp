@@ -1,0 +1,70 @@
+// SPDX-FileCopyrightText: 2026 ribbon_mapper authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "sim/tour/tour.hpp"
+
+#include "sim/robot/pr2.hpp"
+#include "sim/robot/stream_seed.hpp"
+
+namespace ribbon_mapper::sim {
+namespace {
+
+/// Streams of random numbers.
+constexpr std::uint64_t kRangeStream = 0x9e3779b97f4a7c15u;
+constexpr std::uint64_t kLocalisationStream = 0xbf58476d1ce4e5b9u;
+
+}  // namespace
+
+struct Tour::State {
+  State(const World& world_, const Route& route_, const TourConfig& config)
+      : world(world_),
+        route(route_),
+        tilt(config.tilt),
+        hokuyo(config.hokuyo, stream_seed(config.seed, kRangeStream)),
+        localisation(route, config.localisation, stream_seed(config.seed, kLocalisationStream)) {
+    require_free(world, route);
+  }
+
+  Pose T_map_laser(Time time) const {
+    return pr2::T_map_laser(route.T_map_base(time), tilt.angle_rad(time));
+  }
+
+  const World& world;
+  Route route;
+  TiltProfile tilt;
+  Hokuyo hokuyo;
+  Localisation localisation;
+  std::size_t next_line = 0;
+};
+
+Tour::Tour(const World& world, const Route& route, const TourConfig& config)
+    : state_(std::make_unique<State>(world, route, config)) {}
+
+Tour::~Tour() = default;
+
+Time Tour::duration() const { return state_->route.duration(); }
+
+std::size_t Tour::line_count() const {
+  const Time room = duration() - state_->hokuyo.sweep_time();
+  return room < Time(0) ? 0 : static_cast<std::size_t>(room / state_->hokuyo.period()) + 1;
+}
+
+std::optional<Scan> Tour::next_scan() {
+  if (state_->next_line >= line_count()) return std::nullopt;
+  return scan(state_->next_line++);
+}
+
+Scan Tour::scan(std::size_t line) const {
+  const Time stamp = static_cast<Time::rep>(line) * state_->hokuyo.period();
+  return state_->hokuyo.scan(state_->world, stamp,
+                             [this](Time time) { return state_->T_map_laser(time); });
+}
+
+Pose Tour::true_T_map_base(Time time) const { return state_->route.T_map_base(time); }
+Velocity Tour::true_velocity(Time time) const { return state_->route.velocity(time); }
+Pose Tour::T_odom_base(Time time) const { return state_->localisation.T_odom_base(time); }
+Pose Tour::T_map_odom(Time time) const { return state_->localisation.T_map_odom(time); }
+Pose Tour::noisy_T_map_base(Time time) const { return T_map_odom(time) * T_odom_base(time); }
+double Tour::tilt_angle(Time time) const { return state_->tilt.angle_rad(time); }
+Pose Tour::T_base_laser(Time time) const { return pr2::T_base_laser(tilt_angle(time)); }
+
+}  // namespace ribbon_mapper::sim

@@ -1,0 +1,17 @@
+// SPDX-FileCopyrightText: 2026 ribbon_mapper authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "sim/shapes/shape.hpp"
+
+namespace ribbon_mapper::sim {
+
+/// All collision elements of an SDF file, placed in its world frame. URIs (`model://`, `file://`,
+/// relative) are looked up in the folder of the file that holds them, then in `model_paths`.
+/// Throws std::runtime_error naming the file and what to do about it.
+std::vector<Shape> read_sdf(const std::string& path, const std::vector<std::string>& model_paths);
+
+}  // namespace ribbon_mapper::sim

@@ -1,0 +1,60 @@
+// SPDX-FileCopyrightText: 2026 ribbon_mapper authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "modeler/assembly/pieces.hpp"
+
+#include <gtest/gtest.h>
+
+#include "modeler/surface/surface.hpp"
+#include "test/modeler/association/scene.hpp"
+
+namespace ribbon_mapper {
+namespace {
+
+using namespace mini_world;
+using Vector = Eigen::Vector3d;
+
+/// Two patches of a floor, 0.5 m apart, the second one smaller and this much higher.
+Scene two_patches(double step_m) {
+  Scene scene;
+  scene.add(patch({1.0, 0.0, 0.0}, Vector::UnitX(), 2.0 * Vector::UnitY()));
+  scene.add(patch({2.5, 0.0, step_m}, Vector::UnitX(), Vector::UnitY()));
+  return scene;
+}
+
+std::vector<Hypothesis> pieces_of(const Scene& scene, double gap_m) {
+  const Hypothesis whole = scene.whole();
+  const Surface surface(whole, scene.observations(), {});
+  return split(whole, surface.plane(), gap_m, scene.observations());
+}
+
+TEST(Split, AtGapsThatAreTooWide) {
+  const Scene scene = two_patches(0.0);
+  EXPECT_EQ(1u, pieces_of(scene, 0.6).size());
+  const auto pieces = pieces_of(scene, 0.3);
+  ASSERT_EQ(2u, pieces.size());
+  EXPECT_EQ(51u, pieces[0].members().size());  // the largest first
+  EXPECT_EQ(26u, pieces[1].members().size());
+  EXPECT_EQ(0, pieces[0].id);
+  EXPECT_NE(0, pieces[1].id);
+  EXPECT_NEAR(1.5, pieces[0].fit().mean.x(), 1e-6);
+  EXPECT_NEAR(3.0, pieces[1].fit().mean.x(), 1e-6);
+}
+
+TEST(Agreeing, PiecesStayTogetherIfEachSaysSo) {
+  const AssociationGates gates{2.0, 0.03};
+  EXPECT_EQ(1u, agreeing(pieces_of(two_patches(0.0), 0.3), gates, 0.5).size());
+  EXPECT_EQ(1u, agreeing(pieces_of(two_patches(0.02), 0.3), gates, 0.5).size());
+  const auto groups = agreeing(pieces_of(two_patches(0.06), 0.3), gates, 0.5);
+  ASSERT_EQ(2u, groups.size());
+  EXPECT_NEAR(1.0, groups[1].normal().z(), 1e-9);  // neither is tilted any more
+  EXPECT_NEAR(-0.06, groups[1].d_m(), 1e-6);
+}
+
+TEST(Agreeing, ThingsMustBeLevel) {
+  const AssociationGates gates{2.0, 0.03};
+  EXPECT_EQ(1u, agreeing(pieces_of(two_patches(0.005), 0.3), gates, 2.0).size());
+  EXPECT_EQ(2u, agreeing(pieces_of(two_patches(0.02), 0.3), gates, 2.0).size());
+}
+
+}  // namespace
+}  // namespace ribbon_mapper

@@ -1,0 +1,142 @@
+// SPDX-FileCopyrightText: 2026 ribbon_mapper authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "modeler/association/plane_map.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <set>
+
+#include "test/modeler/association/scene.hpp"
+
+namespace ribbon_mapper {
+namespace {
+
+using namespace mini_world;
+using Vector = Eigen::Vector3d;
+
+const Vector x = Vector::UnitX(), y = Vector::UnitY(), z = Vector::UnitZ();
+const AssociationGates slam = PlaneMapConfig{}.slam;
+
+/// Of a wall at `x_m`, seen from the origin, from `y_m` on to the right.
+std::vector<Ribbon> wall(double x_m, double y_m, double width_m) {
+  return patch({x_m, y_m, 0.0}, -width_m * y, z);
+}
+
+Scene scene_of(const std::vector<std::vector<Ribbon>>& patches) {
+  Scene scene;
+  for (const auto& ribbons : patches) scene.add(ribbons);
+  return scene;
+}
+
+/// A board 10 cm before the middle of a wall, which is seen from its middle outwards.
+Scene board_and_wall() {
+  std::vector<Ribbon> ribbons = wall(2.1, 1.0, 2.0);
+  const auto height = [](const Ribbon& r) { return std::abs(r.spread.mean().z() - 0.5); };
+  std::stable_sort(ribbons.begin(), ribbons.end(),
+                   [&](const Ribbon& a, const Ribbon& b) { return height(a) < height(b); });
+  return scene_of({patch({2.0, 0.5, 0.25}, -y, 0.5 * z), ribbons});
+}
+
+TEST(PlaneMap, OneWallIsOneHypothesisOfAllItsRibbons) {
+  const Scene scene = scene_of({wall(2.0, 1.0, 2.0)});
+  const auto hypotheses = scene.map().hypotheses();
+  ASSERT_EQ(1u, hypotheses.size());
+  EXPECT_EQ(scene.ribbons.size(), hypotheses[0].members().size());
+  EXPECT_EQ(0, hypotheses[0].id);
+}
+
+TEST(PlaneMap, WallsOfACornerAreTwo) {
+  const Scene scene = scene_of({wall(2.0, 1.0, 2.0), patch({2.0, -1.0, 0.0}, -2.0 * x, z)});
+  EXPECT_EQ(2u, scene.map().hypotheses().size());
+}
+
+TEST(PlaneMap, SidesOfAThinWallAreTwo) {
+  const Scene scene = scene_of({wall(2.0, 1.0, 2.0), patch({2.02, -1.0, 0.0}, 2.0 * y, z)});
+  const auto hypotheses = scene.map(slam).merged_hypotheses();
+  ASSERT_EQ(2u, hypotheses.size());
+  EXPECT_LT(hypotheses[0].normal().x(), -0.99);
+  EXPECT_GT(hypotheses[1].normal().x(), 0.99);
+}
+
+TEST(PlaneMap, ParallelWallsAreOneOnlyWithinTheGates) {
+  EXPECT_EQ(1u, scene_of({wall(2.0, 1.0, 1.0), wall(2.02, 0.0, 1.0)}).map().hypotheses().size());
+  EXPECT_EQ(2u, board_and_wall().map().hypotheses().size());
+  EXPECT_EQ(1u, board_and_wall().map(slam).hypotheses().size());  // as on the way it must
+}
+
+TEST(PlaneMap, ARibbonJoinsTheLikeliest) {
+  for (const double x_m : {2.18, 2.22}) {
+    Scene scene = scene_of({wall(2.0, 1.0, 2.0), wall(2.4, 1.0, 2.0)});
+    scene.ribbons.push_back(ribbon_between({x_m, 0.3, 0.5}, {x_m, -0.3, 0.5}, -x));
+    const auto hypotheses = scene.map(slam).hypotheses();
+    ASSERT_EQ(2u, hypotheses.size());
+    const Hypothesis& nearer = hypotheses[x_m < 2.2 ? 0 : 1];
+    EXPECT_EQ(scene.ribbons.size() - 1, nearer.members().back().ribbon);
+  }
+}
+
+TEST(PlaneMap, FarPatchesAreTwoUntilTheyGrowTogether) {
+  Scene scene = scene_of({patch({2.0, 5.0, 0.0}, -0.5 * y, 0.5 * z), wall(2.0, 0.0, 1.0)});
+  EXPECT_EQ(2u, scene.map().merged_hypotheses().size());
+  scene.add(wall(2.0, 4.2, 4.4));
+  const auto hypotheses = scene.map().hypotheses();
+  ASSERT_EQ(1u, hypotheses.size());
+  EXPECT_EQ(0, hypotheses[0].id);  // the older one's
+  EXPECT_EQ(scene.ribbons.size(), hypotheses[0].members().size());
+}
+
+TEST(PlaneMap, MergingAgainChangesNothing) {
+  const Scene scene = scene_of({wall(2.0, 1.0, 2.0), wall(2.2, -1.0, 2.0), wall(2.1, 4.0, 1.0)});
+  const PlaneMap map = scene.map(slam);
+  const auto once = map.merged_hypotheses(), twice = map.merged_hypotheses();
+  ASSERT_EQ(once.size(), twice.size());
+  EXPECT_LE(once.size(), map.hypotheses().size());
+  for (std::size_t i = 0; i < once.size(); ++i) EXPECT_EQ(once[i].d_m(), twice[i].d_m());
+}
+
+std::set<std::int64_t> ids_of(const PlaneMap& map) {
+  std::set<std::int64_t> ids;
+  for (const Hypothesis& hypothesis : map.hypotheses()) ids.insert(hypothesis.id);
+  return ids;
+}
+
+TEST(TakeIds, PlanesThatStayKeepTheirs) {
+  const Scene scene = scene_of({wall(2.0, 1.0, 2.0), wall(2.5, 1.0, 2.0), wall(3.0, 1.0, 2.0)});
+  const PlaneMap before = scene.map();
+  PlaneMap after = scene.map(PlaneMapConfig{}.corrected, before.next_id());
+  EXPECT_EQ((std::set<std::int64_t>{3, 4, 5}), ids_of(after));
+  after.take_ids_from(before);
+  EXPECT_EQ((std::set<std::int64_t>{0, 1, 2}), ids_of(after));
+  for (std::size_t i = 0; i < 3; ++i) {
+    EXPECT_EQ(before.hypotheses()[i].d_m(), after.hypotheses()[i].d_m());
+  }
+  EXPECT_EQ(6, after.next_id());
+}
+
+TEST(TakeIds, OfAPlaneThatPartsTheLargerPartKeepsIt) {
+  const Scene scene = board_and_wall();
+  const PlaneMap before = scene.map(slam);
+  ASSERT_EQ(1u, before.hypotheses().size());
+  PlaneMap after = scene.map(PlaneMapConfig{}.corrected, before.next_id());
+  after.take_ids_from(before);
+  const auto hypotheses = after.hypotheses();
+  ASSERT_EQ(2u, hypotheses.size());
+  EXPECT_EQ(0, hypotheses[0].id);
+  EXPECT_NEAR(2.1, hypotheses[0].d_m(), 1e-6);
+  EXPECT_GE(hypotheses[1].id, before.next_id());
+}
+
+TEST(TakeIds, OfPlanesThatMergeTheLargersIsKept) {
+  const Scene scene = board_and_wall();
+  const PlaneMap before = scene.map();
+  ASSERT_EQ(2u, before.hypotheses().size());
+  PlaneMap after = scene.map(slam, before.next_id());
+  after.take_ids_from(before);
+  ASSERT_EQ(1u, after.hypotheses().size());
+  EXPECT_EQ(before.hypotheses()[1].id, after.hypotheses()[0].id);
+}
+
+}  // namespace
+}  // namespace ribbon_mapper

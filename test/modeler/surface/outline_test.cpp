@@ -1,0 +1,178 @@
+// SPDX-FileCopyrightText: 2026 ribbon_mapper authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "modeler/surface/outline.hpp"
+
+#include <gtest/gtest.h>
+
+#include <random>
+#include <set>
+
+#include "test/modeler/association/scene.hpp"
+
+namespace ribbon_mapper {
+namespace {
+
+using namespace mini_world;
+using Cells = std::vector<PlaneCell>;
+
+Cells operator+(Cells a, const Cells& b) {
+  a.insert(a.end(), b.begin(), b.end());
+  return a;
+}
+
+/// Positive if counter-clockwise about the normal [m2].
+double area_m2(const Plane& plane, const std::vector<Eigen::Vector3d>& outline) {
+  double twice = 0.0;
+  for (std::size_t i = 0; i < outline.size(); ++i) {
+    twice += outline[i].cross(outline[(i + 1) % outline.size()]).dot(plane.normal);
+  }
+  return 0.5 * twice;
+}
+
+TEST(Outline, OfARectangleIsItsFourCorners) {
+  const Plane plane = level_plane(0.7, rectangle(20, 10, -5, 3));
+  const auto outline = outline_of(plane, 0.3);
+  ASSERT_EQ(4u, outline.size());
+  EXPECT_NEAR(1.0 * 0.5, area_m2(plane, outline), 1e-9);
+  for (const Eigen::Vector3d& corner : outline) {
+    EXPECT_NEAR(0.7, corner.z(), 1e-9);
+    EXPECT_TRUE(std::abs(corner.x() + 0.25) < 1e-9 || std::abs(corner.x() - 0.75) < 1e-9);
+    EXPECT_TRUE(std::abs(corner.y() - 0.15) < 1e-9 || std::abs(corner.y() - 0.65) < 1e-9);
+  }
+}
+
+TEST(Outline, OfAnLHasSixCorners) {
+  const Plane plane = level_plane(0.0, rectangle(60, 20) + rectangle(20, 40, 0, 20));
+  const auto outline = outline_of(plane, 0.1);
+  EXPECT_EQ(6u, outline.size());
+  EXPECT_NEAR(plane.area_m2, area_m2(plane, outline), 1e-9);
+}
+
+TEST(Outline, KeepsNotchesThatAreDeeperThanACell) {
+  for (const int depth : {1, 3}) {
+    const Plane plane = level_plane(
+        0.0, rectangle(60, 40) + rectangle(20, depth, 0, 40) + rectangle(20, depth, 40, 40));
+    EXPECT_EQ(depth == 1 ? 4u : 8u, outline_of(plane, 0.1).size());
+  }
+}
+
+TEST(Outline, ClosesTheStripesBetweenLines) {
+  Cells stripes;
+  for (int v = 0; v < 40; v += 5) stripes = stripes + rectangle(40, 1, 0, v);
+  const Plane plane = level_plane(0.0, stripes);
+  const auto outline = outline_of(plane, 0.5);
+  EXPECT_EQ(4u, outline.size());
+  EXPECT_NEAR(2.0 * 36 * 0.05, area_m2(plane, outline), 1e-9);
+}
+
+TEST(Outline, LeavesHolesOut) {
+  Cells frame;
+  for (const PlaneCell& cell : rectangle(60, 60)) {
+    if (cell.u < 10 || cell.u >= 50 || cell.v < 10 || cell.v >= 50) frame.push_back(cell);
+  }
+  const Plane plane = level_plane(0.0, frame);
+  const auto outline = outline_of(plane, 0.3);
+  EXPECT_EQ(4u, outline.size());
+  EXPECT_NEAR(9.0, area_m2(plane, outline), 1e-9);
+}
+
+TEST(Outline, IsThatOfTheLargestPiece) {
+  const Plane plane = level_plane(0.0, rectangle(10, 10) + rectangle(30, 30, 100, 0));
+  EXPECT_NEAR(1.5 * 1.5, area_m2(plane, outline_of(plane, 0.3)), 1e-9);
+}
+
+TEST(Outline, OfNothingIsNothing) { EXPECT_TRUE(outline_of(level_plane(0.0, {}), 1.0).empty()); }
+
+TEST(Outline, OfOneCellIsIts) {
+  const Plane plane = level_plane(0.0, rectangle(1, 1, 7, -9));
+  EXPECT_NEAR(0.05 * 0.05, area_m2(plane, outline_of(plane, 1.0)), 1e-9);
+}
+
+TEST(Outline, OfCellsThatTouchByACornerIsOne) {
+  const Plane plane = level_plane(0.0, rectangle(10, 10) + rectangle(10, 10, 10, 10));
+  EXPECT_NEAR(plane.area_m2, area_m2(plane, outline_of(plane, 0.0)), 1e-9);
+}
+
+/// Cells of all rectangles; each must be in one only.
+std::set<std::pair<int, int>> cells_of(const std::vector<CellRectangle>& rectangles) {
+  std::set<std::pair<int, int>> cells;
+  for (const CellRectangle& r : rectangles) {
+    for (int v = r.v_begin; v < r.v_end; ++v) {
+      for (int u = r.u_begin; u < r.u_end; ++u) EXPECT_TRUE(cells.emplace(u, v).second);
+    }
+  }
+  return cells;
+}
+
+TEST(SurfaceRectangles, CoverEachCellOnce) {
+  std::mt19937 random(2);
+  Cells cells;
+  std::set<std::pair<int, int>> expected;
+  for (const PlaneCell& cell : rectangle(30, 30, -10, -20)) {
+    if (random() % 3 == 0) continue;
+    cells.push_back(cell);
+    expected.emplace(cell.u, cell.v);
+  }
+  EXPECT_EQ(expected, cells_of(surface_rectangles(level_plane(0.0, cells), 0.0)));
+}
+
+TEST(SurfaceRectangles, AreFew) {
+  EXPECT_EQ(1u, surface_rectangles(level_plane(0.0, rectangle(50, 30))).size());
+  Cells stripes;
+  for (int v = 0; v < 40; v += 5) stripes = stripes + rectangle(40, 1, 0, v);
+  EXPECT_EQ(1u, surface_rectangles(level_plane(0.0, stripes), 0.3).size());
+  EXPECT_EQ(8u, surface_rectangles(level_plane(0.0, stripes), 0.1).size());
+  EXPECT_TRUE(surface_rectangles(level_plane(0.0, {})).empty());
+}
+
+using Place = std::pair<int, int>;
+using Places = std::set<Place>;
+
+/// All places within a square of the margin around a place.
+template <typename Function>
+void for_each_around(const Place& place, int margin, const Function& function) {
+  for (int du = -margin; du <= margin; ++du) {
+    for (int dv = -margin; dv <= margin; ++dv) function(Place(place.first + du, place.second + dv));
+  }
+}
+
+Places closed_slowly(const Places& places, int margin) {
+  Places dilated, closed;
+  for (const Place& place : places) {
+    for_each_around(place, margin, [&](const Place& around) { dilated.insert(around); });
+  }
+  for (const Place& place : dilated) {
+    bool is_inside = true;
+    for_each_around(place, margin,
+                    [&](const Place& around) { is_inside &= dilated.count(around) > 0; });
+    if (is_inside) closed.insert(place);
+  }
+  return closed;
+}
+
+TEST(SurfaceRectangles, CloseAsASlowReferenceDoes) {
+  std::mt19937 random(5);
+  std::uniform_int_distribution<int> column(-50, 60), row(-9, 20);
+  for (const int margin : {0, 1, 2, 5, 9}) {
+    Cells cells;
+    Places places;
+    for (int i = 0; i < 150; ++i) {
+      cells.push_back({column(random), row(random), 1, 0, 0});
+      places.emplace(cells.back().u, cells.back().v);
+    }
+    EXPECT_EQ(closed_slowly(places, margin),
+              cells_of(surface_rectangles(level_plane(0.0, cells), 2.0 * margin * 0.05 + 0.001)))
+        << margin;
+  }
+}
+
+TEST(SurfaceRectangles, CloseGapsOfMoreCellsThanAWordHasBits) {
+  const Plane plane = level_plane(0.0, rectangle(1, 40, -30, 0) + rectangle(1, 40, 101, 0));
+  const auto rectangles = surface_rectangles(plane, 7.01);
+  ASSERT_EQ(1u, rectangles.size());
+  EXPECT_EQ(132, rectangles[0].u_end - rectangles[0].u_begin);
+  EXPECT_EQ(2u, surface_rectangles(plane, 6.41).size());
+}
+
+}  // namespace
+}  // namespace ribbon_mapper
