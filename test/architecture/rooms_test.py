@@ -93,7 +93,7 @@ class PlantedDefects(unittest.TestCase):
 
     def test_a_long_function(self):
         self.plant("eval/metrics/a.cpp", "int f(int a,\n      int b) {\n" + "  ++a;\n" * 40 + "}\n")
-        self.assert_one(rooms.wrong_files(self.root), "eval/a.cpp:3", "43 lines")
+        self.assert_one(rooms.wrong_files(self.root), "eval/metrics/a.cpp:3", "43 lines")
 
     def test_a_file_without_licence(self):
         (self.root / "eval").mkdir()
