@@ -50,7 +50,7 @@ std::string figure_data(const Results& results) {
 /// Planes as built on the way come without outlines, which nobody needs then.
 std::vector<Plane> with_outlines(std::vector<Plane> planes) {
   for (Plane& plane : planes) {
-    if (plane.outline.empty()) plane.outline = outline_of(plane, PlaneMapConfig().bridged_gap_m);
+    if (plane.outline.empty()) plane.outline = outline_of(plane, SurfaceConfig().bridged_gap_m);
   }
   return planes;
 }

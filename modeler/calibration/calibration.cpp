@@ -121,7 +121,7 @@ void Calibrator::follow(const LinePoses& poses, double line_s) {
 }
 
 void Calibrator::add(const LaserBeams& beams, const LinePoses& poses) {
-  if (defect_of(beams, poses)) return;
+  if (find_defect(beams, poses)) return;
   follow(poses, to_seconds(end_of(beams) - beams.stamp));
   if (!T_map_standing_) T_map_standing_ = poses.T_map_base;
   LinePoses placed = poses;
@@ -143,7 +143,7 @@ RibbonSpread Calibrator::spread(const Plane& plane, std::size_t first_ribbon,
   for (std::size_t i = first_ribbon; i < end_ribbon; ++i) {
     const Ribbon& ribbon = modeler_.ribbons()[i];
     const Pose& T_map_base = trajectory[ribbon.pose].T_map_base;
-    const Eigen::Vector3d centroid = T_map_base * ribbon.spread.mean();
+    const Eigen::Vector3d centroid = T_map_base * ribbon.moments.mean();
     const Eigen::Vector3d normal = T_map_base.linear() * ribbon.normal.cast<double>();
     const double distance_m = std::abs(plane.normal.dot(centroid) + plane.d_m);
     const double cosine = normal.dot(plane.normal);
@@ -188,9 +188,9 @@ ModelerConfig with_tolerances(ModelerConfig config, const Calibration& calibrati
     return AssociationGates{std::clamp(gates.angle_deg, 0.1, 45.0),
                             std::clamp(gates.distance_m, 1e-3, 10.0)};
   };
-  config.map.slam = within(calibration.moving.tolerance);
+  config.association.slam = within(calibration.moving.tolerance);
   const AssociationGates sensor = within(calibration.stopped.tolerance);
-  AssociationGates& corrected = config.map.corrected;
+  AssociationGates& corrected = config.association.corrected;
   corrected.angle_deg = std::max(corrected.angle_deg, sensor.angle_deg);
   corrected.distance_m = std::max(corrected.distance_m, sensor.distance_m);
   return config;

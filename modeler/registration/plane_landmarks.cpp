@@ -28,18 +28,19 @@ double tilt(const Eigen::Vector3d& normal, const Eigen::Vector3d& direction) {
 
 }  // namespace
 
-ReferencePlanes::ReferencePlanes(const Observations& observations,
+ReferencePlanes::ReferencePlanes(const PosedObservations& observations,
                                  const std::vector<char>& is_placed,
                                  const std::vector<std::int32_t>& witness,
-                                 const PlaneMapConfig& config)
-    : angle_gate_rad_(config.slam.angle_deg * degree), index_(config.bridged_gap_m) {
-  PlaneMap map(config, config.corrected);
+                                 const ModelerConfig& config)
+    : angle_gate_rad_(config.association.slam.angle_deg * degree),
+      index_(config.surface.bridged_gap_m) {
+  PlaneMap map(config.surface.bridged_gap_m, config.association.corrected);
   for (std::uint32_t i = 0; i < observations.ribbon_count(); ++i) {
     const PosedRibbon ribbon = observations.ribbon(i);
     if (is_placed[ribbon.ribbon->pose]) map.add(ribbon, i);
   }
   for (const Hypothesis& hypothesis : map.merged_hypotheses()) {
-    const auto min_ribbons = static_cast<std::size_t>(config.confirmed_ribbons);
+    const auto min_ribbons = static_cast<std::size_t>(config.assembly.min_ribbons);
     if (!is_witnessed(hypothesis, observations, witness, min_ribbons)) continue;
     enter(static_cast<std::uint32_t>(planes_.size()), hypothesis, observations);
     const Eigen::Vector3d axis_u = hypothesis.fit().axes.col(2);
@@ -48,7 +49,8 @@ ReferencePlanes::ReferencePlanes(const Observations& observations,
   }
 }
 
-bool ReferencePlanes::is_witnessed(const Hypothesis& hypothesis, const Observations& observations,
+bool ReferencePlanes::is_witnessed(const Hypothesis& hypothesis,
+                                   const PosedObservations& observations,
                                    const std::vector<std::int32_t>& witness,
                                    std::size_t min_ribbons) {
   std::map<std::int32_t, std::size_t> ribbons;
@@ -63,7 +65,7 @@ bool ReferencePlanes::is_witnessed(const Hypothesis& hypothesis, const Observati
 }
 
 void ReferencePlanes::enter(std::uint32_t slot, const Hypothesis& hypothesis,
-                            const Observations& observations) {
+                            const PosedObservations& observations) {
   index_.list(slot, 1 << any_side);
   for (const Member& member : hypothesis.members()) {
     index_.voxels_of(observations.ribbon(member.ribbon), voxels_);
@@ -80,7 +82,7 @@ void ReferencePlanes::find_near(const PosedRibbon& ribbon, Sight& sight) {
 bool ReferencePlanes::fits_across(const Sight& sight, const Eigen::Vector3d& normal,
                                   const PoseBelief& belief) const {
   const Pose& T = belief.T_model_base;
-  if (normal.dot(T.linear() * sight.normal) < min_cosine_of_side) return false;
+  if (normal.dot(T.linear() * sight.normal) < kMinCosineOfSide) return false;
   const Eigen::Vector3d across = T.linear() * sight.across;
   const Eigen::Vector3d turn = across.cross(normal);
   const double variance = turn.dot(belief.covariance.bottomRightCorner<3, 3>() * turn);

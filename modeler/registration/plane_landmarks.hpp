@@ -7,7 +7,8 @@
 #include <vector>
 
 #include "modeler/association/plane_map.hpp"
-#include "modeler/observations/observations.hpp"
+#include "modeler/modeler_config.hpp"
+#include "modeler/observations/posed_observations.hpp"
 #include "modeler/registration/plane_adjustment.hpp"
 #include "modeler/registration/plane_observation.hpp"
 #include "modeler/registration/pose_belief.hpp"
@@ -20,8 +21,8 @@ class ReferencePlanes {
   /// Of the ribbons whose line `is_placed`, the confirmed planes, not counting those ribbons that
   /// one bridge has given: what its lines alone have seen may be that bridge's error.
   /// `witness`: of each line kSure, or the number of its bridge.
-  ReferencePlanes(const Observations& observations, const std::vector<char>& is_placed,
-                  const std::vector<std::int32_t>& witness, const PlaneMapConfig& config);
+  ReferencePlanes(const PosedObservations& observations, const std::vector<char>& is_placed,
+                  const std::vector<std::int32_t>& witness, const ModelerConfig& config);
   static constexpr std::int32_t kSure = -1;
 
   /// Sets the planes that are near a ribbon.
@@ -42,9 +43,10 @@ class ReferencePlanes {
     double square_sigmas;  ///< of the innovation
     Eigen::Vector2d residual;
   };
-  static bool is_witnessed(const Hypothesis& hypothesis, const Observations& observations,
+  static bool is_witnessed(const Hypothesis& hypothesis, const PosedObservations& observations,
                            const std::vector<std::int32_t>& witness, std::size_t min_ribbons);
-  void enter(std::uint32_t slot, const Hypothesis& hypothesis, const Observations& observations);
+  void enter(std::uint32_t slot, const Hypothesis& hypothesis,
+             const PosedObservations& observations);
   bool fits_across(const Sight& sight, const Eigen::Vector3d& normal,
                    const PoseBelief& belief) const;
   std::optional<Match> match_of(const Sight& sight, const PoseBelief& belief) const;

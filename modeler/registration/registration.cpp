@@ -25,7 +25,7 @@ constexpr double placed_at_first = 0.5, placed_in_the_end = 0.25;
 class Registration {
  public:
   Registration(const std::vector<Ribbon>& ribbons, const Trajectory& trajectory,
-               std::vector<Span> spans, const PlaneMapConfig& config, double range_sigma_m);
+               std::vector<Span> spans, const ModelerConfig& config, double range_sigma_m);
 
   bool is_needed() const { return !spans_.empty(); }
   void evaluate_planes_and_poses();
@@ -39,13 +39,13 @@ class Registration {
   void start(const Span& span);
   LineChain register_span(const Span& span, const ReferencePlanes& planes);
   std::vector<FixedLine> fixed_lines(const ReferencePlanes& planes) const;
-  void find_planes_near(const Observations& observations, ReferencePlanes& planes);
+  void find_planes_near(const PosedObservations& observations, ReferencePlanes& planes);
   void take_over(const LineChain& chain, const Span& span);
   void place(std::uint32_t line, const PoseBelief& belief, double part_of_gate);
   double sigma_m(std::uint32_t line, const PoseBelief& belief) const;
 
   const std::vector<Ribbon>& ribbons_;
-  const PlaneMapConfig& config_;
+  const ModelerConfig& config_;
   double range_sigma_m_;
   OdometryNoise noise_;
   std::vector<Span> spans_;                 // to be registered
@@ -83,7 +83,7 @@ std::optional<Pose> in_world(const Pose& T_map_model, const std::optional<Pose>&
 }
 
 Registration::Registration(const std::vector<Ribbon>& ribbons, const Trajectory& trajectory,
-                           std::vector<Span> spans, const PlaneMapConfig& config,
+                           std::vector<Span> spans, const ModelerConfig& config,
                            double range_sigma_m)
     : ribbons_(ribbons),
       config_(config),
@@ -141,7 +141,8 @@ double Registration::sigma_m(std::uint32_t line, const PoseBelief& belief) const
 
 void Registration::place(std::uint32_t line, const PoseBelief& belief, double part_of_gate) {
   next_poses_[line].T_map_base = T_map_model_ * belief.T_model_base;
-  is_placed_[line] = sigma_m(line, belief) <= part_of_gate * config_.corrected.distance_m;
+  is_placed_[line] =
+      sigma_m(line, belief) <= part_of_gate * config_.association.corrected.distance_m;
 }
 
 bool Registration::is_to_be_registered(const Span& span) const {
@@ -194,7 +195,8 @@ std::vector<FixedLine> Registration::fixed_lines(const ReferencePlanes& planes) 
   return fixed;
 }
 
-void Registration::find_planes_near(const Observations& observations, ReferencePlanes& planes) {
+void Registration::find_planes_near(const PosedObservations& observations,
+                                    ReferencePlanes& planes) {
   std::size_t ribbon = 0;
   for (std::vector<Sight>& sights : sights_) {
     for (Sight& sight : sights) planes.find_near(observations.ribbon(ribbon++), sight);
@@ -205,7 +207,7 @@ void Registration::evaluate_planes_and_poses() {
   const std::vector<UnassignedPoints> no_unassigned;
   for (int round = 0; round < rounds; ++round) {
     poses_ = next_poses_;
-    const Observations observations(ribbons_, no_unassigned, poses_);
+    const PosedObservations observations(ribbons_, no_unassigned, poses_);
     T_map_model_ = observations.T_map_model();
     ReferencePlanes reference(observations, is_placed_, witness_, config_);
     find_planes_near(observations, reference);
@@ -228,8 +230,8 @@ void Registration::take_over(const LineChain& chain, const Span& span) {
 }  // namespace
 
 std::vector<StampedPose> registered_poses(const std::vector<Ribbon>& ribbons,
-                                          const Trajectory& trajectory,
-                                          const PlaneMapConfig& config, double range_sigma_m) {
+                                          const Trajectory& trajectory, const ModelerConfig& config,
+                                          double range_sigma_m) {
   std::vector<Span> spans = spans_between(trajectory.recorded(), trajectory.corrected());
   if (max_lines_of_bridge(spans) <= lines_of_ribbon) return {};
   Registration registration(ribbons, trajectory, std::move(spans), config, range_sigma_m);

@@ -4,7 +4,7 @@
 
 #include <vector>
 
-#include "modeler/association/association_config.hpp"
+#include "modeler/modeler_config.hpp"
 #include "modeler/ribbon/ribbon.hpp"
 #include "modeler/trajectory/trajectory.hpp"
 
@@ -29,7 +29,7 @@ namespace ribbon_mapper {
 /// as the lines, there is but one, or the odometry is good enough to be believed between them.
 /// `ribbons`: in the order of their lines.
 std::vector<StampedPose> registered_poses(const std::vector<Ribbon>& ribbons,
-                                          const Trajectory& trajectory,
-                                          const PlaneMapConfig& config, double range_sigma_m);
+                                          const Trajectory& trajectory, const ModelerConfig& config,
+                                          double range_sigma_m);
 
 }  // namespace ribbon_mapper
