@@ -6,13 +6,13 @@
 #include <cstdio>
 #include <nlohmann/json.hpp>
 
-#include "modeler/association/association_config.hpp"
 #include "modeler/io/atomic_file.hpp"
 #include "modeler/io/colour.hpp"
 #include "modeler/io/planes_json.hpp"
 #include "modeler/io/save.hpp"
 #include "modeler/io/tum.hpp"
 #include "modeler/surface/outline.hpp"
+#include "modeler/surface/surface_config.hpp"
 
 namespace ribbon_mapper::eval {
 namespace {
