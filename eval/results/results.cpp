@@ -60,7 +60,7 @@ double degrees(double angle_rad) { return angle_rad * 180.0 / 3.1415926535897932
 }  // namespace
 
 void evaluate(Results& results) {
-  results.summary.cells = for_each_cell(results.models, [&](const std::vector<Plane>& planes) {
+  results.summary.metrics = for_each_model(results.models, [&](const std::vector<Plane>& planes) {
     return compare_maps(patches_of(planes), results.truth);
   });
   if (results.trajectory_before.empty() || results.trajectory_truth.empty()) return;
