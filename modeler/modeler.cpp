@@ -68,8 +68,10 @@ struct Modeler::State {
 
   /// Where corrected poses are too far apart for the odometry to be believed in between.
   void register_lines() {
+    const SharedSettings shared{config.scan.range_sigma_m, config.map.corrected,
+                                config.map.bridged_gap_m};
     const std::vector<StampedPose> registered =
-        registered_poses(ribbons, trajectory, config.map, config.scan.range_sigma_m);
+        registered_poses(ribbons, trajectory, config.registration, shared);
     if (!registered.empty()) trajectory.refine(registered);
   }
 

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "modeler/association/association_config.hpp"
+#include "modeler/registration/registration_config.hpp"
 #include "modeler/ribbon/ribbon_config.hpp"
 #include "modeler/scan/scan_config.hpp"
 #include "modeler/trajectory/trajectory_config.hpp"
@@ -15,6 +16,7 @@ struct ModelerConfig {
   RibbonConfig ribbon;
   PlaneMapConfig map;
   CorrectionConfig correction;
+  RegistrationConfig registration;  ///< of lines between corrected poses
 
   /// Throws std::invalid_argument that names the key, its value and the allowed range.
   void validate() const;
