@@ -210,7 +210,7 @@ std::vector<StampedPose> registered_poses(const std::vector<Ribbon>& ribbons,
                                           const Trajectory& trajectory,
                                           const RegistrationConfig& config,
                                           const SharedSettings& shared) {
-  if (!config.enabled) return {};
+  if (!config.enabled || !trajectory.is_corrected()) return {};
   std::vector<TrajectorySegment> segments =
       segments_between(trajectory.recorded(), trajectory.corrected());
   if (max_closed_lines(segments) <= kLinesOfRibbon) return {};

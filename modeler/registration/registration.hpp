@@ -24,9 +24,9 @@ namespace ribbon_mapper {
 /// segment, before the first or after the last corrected pose, is registered from its one end
 /// unless it is longer than the longest of the others.
 ///
-/// There is nothing to register if the registration is disabled, corrected poses are nearly as
-/// dense as lines, there is only one, or odometry suffices between them. `ribbons` are in the order
-/// of their lines; `trajectory` has been corrected.
+/// There is nothing to register if the registration is disabled, the trajectory was never
+/// corrected, corrected poses are nearly as dense as lines, there is only one, or odometry suffices
+/// between them. `ribbons` are in the order of their lines.
 std::vector<StampedPose> registered_poses(const std::vector<Ribbon>& ribbons,
                                           const Trajectory& trajectory,
                                           const RegistrationConfig& config,
