@@ -105,7 +105,8 @@ void estimate_surfels(const LineBuffer& buffer, const ScanConfig& scan, const Ri
     const Neighbourhood near = around(lines, beam, config.neighbourhood_m);
     const std::size_t stride = std::max<std::size_t>(1, near.size() / 8);
     if (near.size() > 0 && estimate(lines, beam, near, flatness, surfel)) {
-      surfel.area_m2 = std::min(config.area_cap_m2, area_m2(lines, beam)) * stride;
+      surfel.area_m2 =
+          std::min(config.area_cap_m2, area_m2(lines, beam)) * static_cast<double>(stride);
       surfels.push_back(surfel);
     }
     beam += stride;
