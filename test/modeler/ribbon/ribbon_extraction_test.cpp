@@ -116,7 +116,8 @@ double highest_over_the_table_m(const ScanConfig& scan) {
   for (unsigned i = 0; i < 12; ++i) {
     const LineBuffer buffer = three_lines(table_in_a_corner(), tilting(0.3, 0.1 + 0.002 * i), 0.0,
                                           {721, 0.01, 3 + i}, scan);
-    for (const Ribbon& source : RibbonExtraction(scan, {}).extract(buffer, store)) {
+    RibbonExtraction extraction(scan, {});
+    for (const Ribbon& source : extraction.extract(buffer, store)) {
       const PosedRibbon ribbon(source, Pose::Identity());
       if (ribbon.normal.z() < 0.97 || std::abs(ribbon.centroid.z() - 0.75) > 0.05) continue;
       double highest_m = 0.0;
