@@ -60,6 +60,20 @@ void visit_keys(Config& config, Visitor& visit) {
   visit("assembly.curvature_sigmas", assembly.curvature_sigmas, 0.0, 100.0);
   visit("assembly.on_plane_m", assembly.on_plane_m, 0.0, 1.0);
   visit("assembly.beside_plane_m", assembly.beside_plane_m, 0.01, 10.0);
+
+  auto& registration = config.registration;
+  visit("registration.enabled", registration.enabled);
+  visit("registration.rounds", registration.rounds, 1, 100);
+  visit("registration.passes_per_round", registration.passes_per_round, 1, 100);
+  visit("registration.adjustments_per_round", registration.adjustments_per_round, 0, 100);
+  visit("registration.min_ribbons", registration.min_ribbons, 1, 100000);
+  visit("registration.shared_sigma_ratio", registration.shared_sigma_ratio, 0.0, 10.0);
+  visit("registration.max_tilt_across_deg", registration.max_tilt_across_deg, 0.1, 60.0);
+  visit("registration.max_chi_square", registration.max_chi_square, 0.1, 1000.0);
+  visit("registration.min_chi_square_lead", registration.min_chi_square_lead, 0.0, 1000.0);
+  visit("registration.robust_sigmas", registration.robust_sigmas, 0.1, 100.0);
+  visit("registration.start_gate_ratio", registration.start_gate_ratio, 0.0, 10.0);
+  visit("registration.final_gate_ratio", registration.final_gate_ratio, 0.0, 10.0);
 }
 
 }  // namespace ribbon_mapper

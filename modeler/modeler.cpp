@@ -55,8 +55,10 @@ struct Modeler::State {
 
   /// Refines the poses between corrected ones where these are too sparse for odometry alone.
   void register_lines() {
+    const SharedSettings shared{config.scan.range_sigma_m, config.association.corrected,
+                                config.surface.bridged_gap_m};
     const std::vector<StampedPose> registered = registered_poses(
-        observations.ribbons(), observations.trajectory(), config, config.scan.range_sigma_m);
+        observations.ribbons(), observations.trajectory(), config.registration, shared);
     if (!registered.empty()) observations.refine(registered);
   }
 

@@ -5,6 +5,7 @@
 #include "modeler/assembly/assembly_config.hpp"
 #include "modeler/association/association_config.hpp"
 #include "modeler/observations/observations_config.hpp"
+#include "modeler/registration/registration_config.hpp"
 #include "modeler/ribbon/ribbon_config.hpp"
 #include "modeler/scan/scan_config.hpp"
 #include "modeler/surface/surface_config.hpp"
@@ -21,6 +22,7 @@ struct ModelerConfig {
   AssociationConfig association;    ///< ribbons to hypotheses
   SurfaceConfig surface;            ///< cells of a plane
   AssemblyConfig assembly;          ///< hypotheses to planes
+  RegistrationConfig registration;  ///< lines between corrected poses
 
   /// Throws std::invalid_argument with the key, its value and the allowed range if a value is out
   /// of range.

@@ -95,11 +95,11 @@ void describe(const ModelKeeper& keeper, const SurfaceConfig& config, OfflineRun
 }  // namespace
 
 OfflineRun model_bags(const OfflineOptions& options, const ProgressCallback& progress) {
-  const ModelerConfig config = load_config(find_shared(options.config).string());
+  const ModelerConfig config = load_config(find_installed_file(options.config).string());
   ModelKeeper keeper(config);
   OfflineRun run;
   for (const auto& bag : options.bags) run.summary.bags.push_back(bag.filename().string());
-  run.summary.config = shared_name(find_shared(options.config)).string();
+  run.summary.config = portable_name(find_installed_file(options.config)).string();
   take_lines(options, keeper, run.summary, progress);
   require_lines(keeper);
 

@@ -55,7 +55,7 @@ struct Line {
 
 /// Lines of a robot that stands in the living room of the flat and nods with its laser.
 std::vector<Line> standing_lines() {
-  const auto world = sim::World::load(find_shared("worlds/apartment.sdf").string());
+  const auto world = sim::World::load(find_installed_file("worlds/apartment.sdf").string());
   const Pose T_map_base = planar_pose(-2.1, 1.0, 0.4);
   const sim::TiltProfile tilt{sim::TiltProfileConfig{}};
   const auto T_base_laser = [&](Time time) { return sim::pr2::T_base_laser(tilt.angle_rad(time)); };
