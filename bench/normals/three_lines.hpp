@@ -13,25 +13,25 @@
 
 namespace ribbon_mapper::bench {
 
-/// A full buffer of the tour: the input of all rows that estimate normals.
+/// A full line buffer of a tour, the input of all normal estimations.
 struct ThreeLines {
-  LineBuffer buffer{0.0};
-  std::vector<std::size_t> beams;     ///< of the middle line: those with a return
-  std::vector<Neighbourhood> around;  ///< of each of these; size 0: no normal there
-  std::vector<Surfel> surfels;        ///< that we estimate on it
-  Eigen::Matrix3d R_map_odom = Eigen::Matrix3d::Identity();  ///< as it really was
-  const RecordedLine* middle = nullptr;                      ///< the recording's line in the middle
+  LineBuffer buffer{0.0};             ///< the lines
+  std::vector<std::size_t> beams;     ///< beams of the middle line with a return
+  std::vector<Neighbourhood> around;  ///< neighbourhood of each; size 0 where there is no normal
+  std::vector<Surfel> surfels;        ///< our surfels of the middle line
+  Eigen::Matrix3d R_map_odom = Eigen::Matrix3d::Identity();  ///< true rotation
+  const RecordedLine* middle = nullptr;                      ///< middle line in the recording
 };
 
-/// `count` buffers, evenly over the tour; fewer of a short one.
+/// Returns up to `count` buffers, evenly distributed over the tour.
 std::vector<ThreeLines> sample_buffers(const Recording& recording, const ModelerConfig& config,
                                        std::size_t count);
 
-/// Covariances of the neighbourhoods of all beams: real input for a 3x3 eigen solve.
+/// Returns the covariances of all neighbourhoods, realistic input for a 3x3 eigen solver.
 std::vector<Eigen::Matrix3d> covariances_of(const std::vector<ThreeLines>& samples);
 
-/// Nanoseconds of one closed-form 3x3 eigen solve (Eigen's computeDirect) on these: the unit in
-/// which the line pipeline is measured.
+/// Returns the mean CPU time of a closed-form 3x3 eigen solve (Eigen's computeDirect) [ns], the
+/// unit for times of the line pipeline.
 double eigen_solve_ns(const std::vector<Eigen::Matrix3d>& covariances);
 
 }  // namespace ribbon_mapper::bench
