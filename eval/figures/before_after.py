@@ -31,7 +31,7 @@ MAX_LIGHT = 0.62  # greatest lightness of a colour on white paper
 STROKE_PT = 1.5  # thin enough to distinguish both sides of a wall
 WORLD = {"color": "0.7", "linewidth": 0.5}
 FLOOR = (0.5, 0.5, 0.5, 0.07)
-BELIEVED = {"color": "tab:red", "linewidth": 1.0}
+ESTIMATED = {"color": "tab:red", "linewidth": 1.0}
 TRUE = {"color": "black", "linewidth": 0.8, "linestyle": (0, (4, 3))}
 
 
@@ -82,8 +82,8 @@ def draw_world(axes, outlines):
                                        linewidths=WORLD["linewidth"]))
 
 
-def draw_trajectories(axes, believed, truth):
-    axes.plot(*believed, zorder=4, **BELIEVED)
+def draw_trajectories(axes, estimate, truth):
+    axes.plot(*estimate, zorder=4, **ESTIMATED)
     axes.plot(*truth, zorder=5, **TRUE)
     if truth[0]:
         axes.plot(truth[0][0], truth[1][0], "o", color="black", markersize=3.5, zorder=6)
@@ -94,7 +94,8 @@ def draw_scale_bar(axes, box):
     width = box[1] - box[0]
     length = max((n for n in (0.1, 0.2, 0.5, 1, 2, 5, 10, 20, 50) if n <= 0.2 * width), default=0.1)
     x, y = box[0] + MARGIN_M, box[2] + 0.022 * width
-    axes.plot([x, x + length], [y, y], color="black", linewidth=1.8, solid_capstyle="butt", zorder=7)
+    axes.plot([x, x + length], [y, y], color="black", linewidth=1.8, solid_capstyle="butt",
+              zorder=7)
     axes.text(x + length + 0.012 * width, y, f"{length:g} m", va="center", zorder=7)
 
 
@@ -113,7 +114,7 @@ def add_legend(figure):
         Patch(facecolor=(0.58, 0.40, 0.74, 0.3), edgecolor="tab:purple", linewidth=0.7,
               label="level plane"),
         Line2D([], [], label="world", **WORLD),
-        Line2D([], [], label="believed trajectory", **BELIEVED),
+        Line2D([], [], label="estimated trajectory", **ESTIMATED),
         Line2D([], [], label="true trajectory", **TRUE),
     ]
     figure.legend(handles=handles, loc="lower center", ncol=len(handles), frameon=False,
@@ -126,7 +127,8 @@ def counted(number, singular, plural):
 
 def findings(metrics, truth):
     return (f"{metrics['matched']} of {counted(truth, 'true plane', 'true planes')} found, "
-            f"{counted(metrics['duplicates'], 'duplicate', 'duplicates')}, {metrics['extra']} extra")
+            f"{counted(metrics['duplicates'], 'duplicate', 'duplicates')}, "
+            f"{metrics['extra']} extra")
 
 
 def titles_of(summary):
@@ -177,10 +179,10 @@ def draw(directory):
 
     box = box_around(data["world_outlines"], *planes)
     figure, panels = new_panels(box)
-    for axes, title, model, believed in zip(panels, titles, planes, (before, after)):
+    for axes, title, model, estimate in zip(panels, titles, planes, (before, after)):
         draw_world(axes, data["world_outlines"])
         draw_planes(axes, model, colour_of)
-        draw_trajectories(axes, believed, truth)
+        draw_trajectories(axes, estimate, truth)
         set_title(axes, *title)
     draw_scale_bar(panels[0], box)
     add_legend(figure)

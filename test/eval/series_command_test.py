@@ -67,7 +67,8 @@ class SeriesCommand(unittest.TestCase):
         self.assertIn('6 of 6 runs are done already', self.series('whole'))
         self.assertEqual(self.content('whole', 'timings.jsonl'), before)
 
-    @unittest.skipUnless(shutil.which('parallel'), 'GNU parallel is missing: sudo apt install parallel')
+    @unittest.skipUnless(shutil.which('parallel'),
+                         'GNU parallel is missing: sudo apt install parallel')
     def test_gnu_parallel_gathers_the_same_lines(self):
         self.series('whole')
         (self.folder / 'gathered').mkdir()

@@ -62,7 +62,8 @@ def compare(counts, result, budget):
 def main():
     parser = argparse.ArgumentParser(description=__doc__)
     parser.add_argument('program', help='the built instructions_input')
-    parser.add_argument('budget', type=pathlib.Path, help='test/performance/instruction_budget.json')
+    parser.add_argument('budget', type=pathlib.Path,
+                        help='test/performance/instruction_budget.json')
     parser.add_argument('--renew', action='store_true', help='replace the budget')
     arguments = parser.parse_args()
     if not shutil.which('valgrind'):
