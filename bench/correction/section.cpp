@@ -40,7 +40,7 @@ nlohmann::json our_correction(const Inputs& inputs) {
 /// Models the tour from scratch with true poses and the gates for corrected poses.
 nlohmann::json our_rebuild(const Inputs& inputs) {
   ModelerConfig config = inputs.config;
-  config.map.slam = config.map.corrected;
+  config.association.slam = config.association.corrected;
   std::vector<LinePoses> poses;
   for (const RecordedLine& line : inputs.recording.lines) poses.push_back(with_true_pose(line));
   std::vector<Plane> planes;
@@ -70,7 +70,7 @@ nlohmann::json on_voxels(const Inputs& inputs, const PlanesPeer& peer) {
   });
   return {{"seconds", seconds},
           {"metrics",
-           judged(bounded_planes(planes, ViewField(cloud), inputs.config.map), inputs.recording)}};
+           judged(bounded_planes(planes, ViewField(cloud), inputs.config), inputs.recording)}};
 }
 
 /// Returns the median of several runs in child processes, or nothing if one exceeds the limit.

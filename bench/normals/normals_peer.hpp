@@ -32,18 +32,18 @@ inline Eigen::Vector3d no_normal() {
 // All peers get the same samples, which must outlive the returned peers.
 
 /// Returns our method.
-std::vector<NormalsPeer> our_normals(const std::vector<ThreeLines>& samples,
+std::vector<NormalsPeer> our_normals(const std::vector<NormalsInput>& samples,
                                      const ModelerConfig& config);
 
 /// Returns PCL's estimation with different neighbourhoods: radius `neighbourhood_m` and twice that,
 /// 30 nearest points, and our own neighbours without a search.
-std::vector<NormalsPeer> pcl_normals(const std::vector<ThreeLines>& samples,
+std::vector<NormalsPeer> pcl_normals(const std::vector<NormalsInput>& samples,
                                      double neighbourhood_m);
 
 /// Returns PCL's estimation on an organised image of three rows.
-std::vector<NormalsPeer> pcl_integral_image_normals(const std::vector<ThreeLines>& samples);
+std::vector<NormalsPeer> pcl_integral_image_normals(const std::vector<NormalsInput>& samples);
 
 /// Returns CGAL's estimation with 30 nearest points.
-std::vector<NormalsPeer> cgal_normals(const std::vector<ThreeLines>& samples);
+std::vector<NormalsPeer> cgal_normals(const std::vector<NormalsInput>& samples);
 
 }  // namespace ribbon_mapper::bench

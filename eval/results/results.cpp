@@ -6,7 +6,6 @@
 #include <cstdio>
 #include <nlohmann/json.hpp>
 
-#include "modeler/association/association_config.hpp"
 #include "modeler/geometry/angles.hpp"
 #include "modeler/io/atomic_file.hpp"
 #include "modeler/io/colour.hpp"
@@ -14,6 +13,7 @@
 #include "modeler/io/save.hpp"
 #include "modeler/io/tum.hpp"
 #include "modeler/surface/outline.hpp"
+#include "modeler/surface/surface_config.hpp"
 
 namespace ribbon_mapper::eval {
 namespace {
@@ -51,7 +51,7 @@ std::string figure_data(const Results& results) {
 /// Adds the outlines that planes as built do not have.
 std::vector<Plane> with_outlines(std::vector<Plane> planes) {
   for (Plane& plane : planes) {
-    if (plane.outline.empty()) plane.outline = outline_of(plane, PlaneMapConfig().bridged_gap_m);
+    if (plane.outline.empty()) plane.outline = outline_of(plane, SurfaceConfig().bridged_gap_m);
   }
   return planes;
 }

@@ -2,12 +2,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <cmath>
+
 namespace ribbon_mapper {
 
-/// Degrees in one radian.
-constexpr double kDegreesPerRadian = 180.0 / 3.14159265358979323846;
+/// One degree [rad].
+constexpr double kDegree = M_PI / 180.0;
 
 /// Returns an angle in degrees, given in radians.
-inline double to_degrees(double angle_rad) { return angle_rad * kDegreesPerRadian; }
+inline double to_degrees(double angle_rad) { return angle_rad / kDegree; }
 
 }  // namespace ribbon_mapper

@@ -105,7 +105,7 @@ auto on_middle_lines(LineBuffer& buffer, const Work& work) {
   return [&buffer, work](const Line& line) {
     place_beams(line.beams, line.poses, ScanConfig{}, buffer.incoming());
     buffer.push();
-    while (buffer.advance()) work();
+    while (const auto lines = buffer.next_three_lines()) work(*lines);
   };
 }
 
@@ -116,10 +116,11 @@ TEST(Allocations, StopFromBeamsToSurfels) {
   LineBuffer buffer(ScanConfig{}.range_sigma_m);
   std::vector<Surfel> surfels;
   std::size_t made = 0;
-  const auto counts = counts_of(standing_lines(), on_middle_lines(buffer, [&] {
-                                  estimate_surfels(buffer, ScanConfig{}, RibbonConfig{}, surfels);
-                                  made += surfels.size();
-                                }));
+  const auto counts =
+      counts_of(standing_lines(), on_middle_lines(buffer, [&](const ThreeLines& lines) {
+                  estimate_surfels(lines, ScanConfig{}, RibbonConfig{}, surfels);
+                  made += surfels.size();
+                }));
   ASSERT_GT(made, 10000u);
   EXPECT_LE(share_of_allocating(counts), kSeldom);
 }
@@ -127,12 +128,11 @@ TEST(Allocations, StopFromBeamsToSurfels) {
 TEST(Allocations, StopFromBeamsToRibbons) {
   LineBuffer buffer(ScanConfig{}.range_sigma_m);
   RibbonExtraction extraction(ScanConfig{}, RibbonConfig{});
-  PointStore store;  // allocates large blocks
   std::size_t made = 0;
-  const auto counts = counts_of(standing_lines(), on_middle_lines(buffer, [&] {
-                                  made += extraction.extract(buffer, store).size();
-                                  extraction.unassigned(buffer, store);
-                                }));
+  const auto counts =
+      counts_of(standing_lines(), on_middle_lines(buffer, [&](const ThreeLines& lines) {
+                  made += extraction.extract(lines).ribbons.size();
+                }));
   ASSERT_GT(made, 1000u);
   EXPECT_LE(share_of_allocating(counts), kSeldom);
 }

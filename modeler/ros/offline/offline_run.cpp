@@ -77,7 +77,7 @@ std::vector<Plane> with_outlines(std::vector<Plane> planes, double bridged_gap_m
   return planes;
 }
 
-void describe(const ModelKeeper& keeper, const PlaneMapConfig& config, OfflineRun& run) {
+void describe(const ModelKeeper& keeper, const SurfaceConfig& config, OfflineRun& run) {
   OfflineSummary& s = run.summary;
   s.lines = keeper.log().lines();
   s.dropped_lines = keeper.log().dropped_by_reason();
@@ -103,12 +103,13 @@ OfflineRun model_bags(const OfflineOptions& options, const ProgressCallback& pro
   take_lines(options, keeper, run.summary, progress);
   require_lines(keeper);
 
-  run.planes_before = with_outlines(keeper.modeler().planes_as_built(), config.map.bridged_gap_m);
+  run.planes_before =
+      with_outlines(keeper.modeler().planes_as_built(), config.surface.bridged_gap_m);
   const auto poses = final_poses(options, keeper.modeler(), run.summary.trajectory);
   if (!poses.empty()) keeper.correct(poses);
   run.planes_after = keeper.planes();
   run.trajectory = keeper.modeler().trajectory();
-  describe(keeper, config.map, run);
+  describe(keeper, config.surface, run);
   return run;
 }
 
