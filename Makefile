@@ -22,10 +22,9 @@ demo: build ## the whole chain in a simulated flat, results in results/loop_clos
 	source build/devel/setup.bash && roslaunch ribbon_mapper loop_closure.launch \
 	  output:=$(CURDIR)/results/loop_closure $(ARGS)
 
-# The real recordings beside the repository, or one folder further up, with their presets.
-recording = $(foreach bag,$(firstword $(wildcard $(addsuffix /shared/data/real/$(1).bag,.. ../..))),\
-  --bag $(bag) --bag-config config/$(2).yaml)
-bench: RECORDINGS = $(call recording,room_scan1,room_scan) $(call recording,room_240,urg04lx)
+# The real recordings with their presets.
+bench: RECORDINGS = --bag test/data/recordings/room_scan1.bag --bag-config config/room_scan.yaml \
+  --bag test/data/recordings/room_240.bag --bag-config config/urg04lx.yaml
 bench: ## speed and memory beside the packaged peers, results in results/bench
 	./install_dependencies bench
 	cmake -S . -B build -DRIBBON_MAPPER_BENCH=ON \
