@@ -46,13 +46,14 @@ lint: ## format, names, bug-prone code and warnings of gcc and clang; below a mi
 	tools/lint --jobs $(JOBS)
 
 # Not run under the sanitizers: nodes with a ROS master, budgets of instructions and allocations,
-# and what checks text.
+# and what checks text. Eigen's assertions are on: the build type is Debug.
 WITHOUT := rostest|instruction_budget|allocations_test|architecture|documented|house_table|lint_test|pages|commands|ros_files
 UNDEFINED := undefined,float-cast-overflow,float-divide-by-zero
 sanitize: GROUP = test
 sanitize: ## all tests without a ROS master under AddressSanitizer and UBSan, in build/sanitize
 	./install_dependencies $(GROUP)
-	cmake -S . -B build/sanitize -DRIBBON_MAPPER_SANITIZE=address,$(UNDEFINED) $(PYTHON)
+	cmake -S . -B build/sanitize -DCMAKE_BUILD_TYPE=Debug \
+	  -DRIBBON_MAPPER_SANITIZE=address,$(UNDEFINED) $(PYTHON)
 	cmake --build build/sanitize -j $(JOBS)
 	$(SANITIZER_OPTIONS) ctest --test-dir build/sanitize -E '$(WITHOUT)' --output-on-failure
 
@@ -60,7 +61,7 @@ sanitize: ## all tests without a ROS master under AddressSanitizer and UBSan, in
 tsan: GROUP = test
 tsan: ## what has threads under ThreadSanitizer, in build/tsan
 	./install_dependencies $(GROUP)
-	cmake -S . -B build/tsan -DRIBBON_MAPPER_SANITIZE=thread $(PYTHON)
+	cmake -S . -B build/tsan -DCMAKE_BUILD_TYPE=Debug -DRIBBON_MAPPER_SANITIZE=thread $(PYTHON)
 	cmake --build build/tsan -j $(JOBS) --target eval_test sim_test experiment
 	$(SANITIZER_OPTIONS) ctest --test-dir build/tsan --output-on-failure \
 	  -R '^(eval_test|sim_test|series_command_test|sweep_command_test)$$'
