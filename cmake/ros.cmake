@@ -6,13 +6,17 @@ if(NOT DEFINED RIBBON_MAPPER_ROS OR RIBBON_MAPPER_ROS OR RIBBON_MAPPER_ROS STREQ
     diagnostic_updater geometry_msgs message_generation nav_msgs rosbag roscpp rosgraph_msgs
     sensor_msgs std_msgs std_srvs tf2_eigen tf2_ros topic_tools visualization_msgs)
 endif()
-ribbon_mapper_part(ROS "the ROS nodes" PARTS IO LIBRARIES
-  catkin=catkin CLI11=libcli11-dev diagnostic_updater=libdiagnostic-updater-dev
-  geometry_msgs=libgeometry-msgs-dev message_generation=ros-message-generation
-  nav_msgs=libnav-msgs-dev rosbag=librosbag-dev roscpp=libroscpp-dev
-  rosgraph_msgs=libros-rosgraph-msgs-dev sensor_msgs=libsensor-msgs-dev std_msgs=libstd-msgs-dev
-  std_srvs=libstd-srvs-dev tf2_eigen=libtf2-eigen-dev tf2_ros=libtf2-ros-dev
-  topic_tools=libtopic-tools-dev visualization_msgs=libvisualization-msgs-dev)
+set(libraries catkin=catkin CLI11=libcli11-dev)
+if(catkin_FOUND)
+  list(APPEND libraries
+    diagnostic_updater=libdiagnostic-updater-dev geometry_msgs=libgeometry-msgs-dev
+    message_generation=ros-message-generation nav_msgs=libnav-msgs-dev rosbag=librosbag-dev
+    roscpp=libroscpp-dev rosgraph_msgs=libros-rosgraph-msgs-dev sensor_msgs=libsensor-msgs-dev
+    std_msgs=libstd-msgs-dev std_srvs=libstd-srvs-dev tf2_eigen=libtf2-eigen-dev
+    tf2_ros=libtf2-ros-dev topic_tools=libtopic-tools-dev
+    visualization_msgs=libvisualization-msgs-dev)
+endif()
+ribbon_mapper_part(ROS "the ROS nodes" PARTS IO LIBRARIES ${libraries})
 if(NOT RIBBON_MAPPER_HAS_ROS)
   return()
 endif()

@@ -21,7 +21,7 @@ option(RIBBON_MAPPER_WERROR "Treat warnings as errors, as make lint does" OFF)
 set(RIBBON_MAPPER_SANITIZE "" CACHE STRING "Sanitizers to build with, as in -fsanitize=")
 if(RIBBON_MAPPER_SANITIZE)
   add_compile_options(-fsanitize=${RIBBON_MAPPER_SANITIZE} -fno-sanitize-recover=all
-    -fno-omit-frame-pointer -g1)
+    -fno-omit-frame-pointer -O1 -g1)
   add_link_options(-fsanitize=${RIBBON_MAPPER_SANITIZE})
 endif()
 

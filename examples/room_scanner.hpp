@@ -14,6 +14,7 @@
 namespace room_scanner {
 
 using ribbon_mapper::Pose;
+/// A pose as a function of time [s].
 using PoseAtTime = std::function<Pose(double time_s)>;
 
 constexpr int kBeams = 361;                ///< beams of a line, over 180 degrees

@@ -17,7 +17,7 @@ using PointWithNormal = std::pair<Kernel::Point_3, Kernel::Vector_3>;
 
 struct Sample {
   std::vector<PointWithNormal> points;
-  std::vector<int> of_beam;  // of the middle line
+  std::vector<int> of_beam;  // index of each beam of the middle line, -1 for no return
 };
 
 Sample converted(const NormalsInput& lines) {

@@ -8,8 +8,8 @@
 namespace ribbon_mapper::bench {
 namespace {
 
-/// The running sums over a line are made while its beams are placed; they belong to the normals.
-/// Each line is summed once, though it serves three buffers.
+/// Computes running sums over a line. The modeler does this while placing beams, once per line
+/// although each line is used in three buffers; it is part of the normals' cost.
 void sum_up(const ScanLine& line, std::vector<Moments>& before) {
   Moments sum;
   before.resize(line.size() + 1);

@@ -19,7 +19,7 @@ struct Sample {
   pcl::PointCloud<pcl::Normal> normals;
 };
 
-/// In an optical frame, as this class expects: depth is z, and its tolerance grows with it.
+/// Converts lines to an image in an optical frame with z as depth, as PCL's class expects.
 Sample converted(const NormalsInput& lines) {
   const ScanLine& middle = lines.middle();
   const Eigen::Vector3d origin = middle.origin(middle.size() / 2);
@@ -57,8 +57,8 @@ std::vector<NormalsPeer> pcl_integral_image_normals(const std::vector<NormalsInp
       estimation.setBorderPolicy(estimation.BORDER_POLICY_MIRROR);
       estimation.setMaxDepthChangeFactor(0.05F);
       estimation.setDepthDependentSmoothing(false);
-      estimation.setNormalSmoothingSize(3.0F);  // a larger square reaches out of the three rows
-      // It never searches; the default search would fit a camera to the image first.
+      estimation.setNormalSmoothingSize(3.0F);  // a larger window exceeds the three rows
+      // No search takes place, but the default one would fit a camera to the image first.
       estimation.setSearchMethod(std::make_shared<pcl::search::BruteForce<pcl::PointXYZ>>());
       estimation.setInputCloud(sample.image);
       estimation.compute(sample.normals);

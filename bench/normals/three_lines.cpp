@@ -65,7 +65,7 @@ std::vector<Eigen::Matrix3d> covariances_of(const std::vector<NormalsInput>& sam
 }
 
 double eigen_solve_ns(const std::vector<Eigen::Matrix3d>& covariances) {
-  const double seconds = seconds_of([&] {
+  const double seconds = cpu_seconds_of([&] {
     for (const Eigen::Matrix3d& covariance : covariances) {
       Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver;
       solver.computeDirect(covariance);

@@ -60,7 +60,7 @@ TourSource apartment_tour() {
   source.name = "apartment";
   source.world = find_installed_file("worlds/apartment.sdf");
   source.route = find_installed_file("worlds/apartment.route.yaml");
-  source.config.localisation.drift = 3.0;  // that of the experiment
+  source.config.localisation.drift = 3.0;  // as in the experiment
   return source;
 }
 
@@ -79,7 +79,7 @@ Recording recording_of(const TourSource& source, const std::filesystem::path& ca
   std::snprintf(suffix, sizeof suffix, ".%016zx.tour", hash);
   const auto file = cache / (source.name + suffix);
   if (auto recording = read_recording(file)) return *std::move(recording);
-  std::printf("driving the tour %s, kept in %s\n", source.name.c_str(), file.c_str());
+  std::printf("recording the tour %s in %s\n", source.name.c_str(), file.c_str());
   std::fflush(stdout);
   Recording recording = driven(source);
   write_recording(recording, file);

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 ribbon_mapper authors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// The paper's experiment without ROS: see `experiment --help`.
+// Runs the paper's experiment without ROS; see `experiment --help`.
 
 #include <cstdio>
 #include <exception>
@@ -27,7 +27,7 @@ using namespace ribbon_mapper;
 using namespace ribbon_mapper::eval;
 
 void run_one(const ExperimentOptions& options) {
-  create_directory_for_files(options.output);  // better now than after the tour
+  create_directory_for_files(options.output);  // fails before the tour rather than after it
   Summary summary;
   {
     ProgressBar bar;
@@ -39,7 +39,7 @@ void run_one(const ExperimentOptions& options) {
   std::printf("%s\nresults in %s\n", summary_table(summary).c_str(), options.output.c_str());
 }
 
-/// For machines that share no disk: whoever started the runs gathers their lines.
+/// Prints lines of runs.jsonl, for gathering runs from machines without a shared disk.
 void print_lines(const ExperimentOptions& options) {
   ProgressBar bar;
   const auto line_of = [](const RunOptions& run, const ProgressCallback& progress) {
@@ -56,7 +56,7 @@ std::vector<RunOptions> missing_runs(const ExperimentOptions& options, const Run
   return missing;
 }
 
-void sweep(const ExperimentOptions& options, RunLog& log) {
+void make_missing_runs(const ExperimentOptions& options, RunLog& log) {
   const std::vector<RunOptions> missing = missing_runs(options, log);
   if (missing.size() < options.runs.size()) {
     std::printf("%zu of %zu runs are done already\n", options.runs.size() - missing.size(),
@@ -82,19 +82,18 @@ void sweep(const ExperimentOptions& options, RunLog& log) {
 void run_series(const ExperimentOptions& options) {
   create_directory_for_files(options.output);
   RunLog log(options.output / "runs.jsonl");
-  sweep(options, log);
+  make_missing_runs(options, log);
   log.sort();
-  const std::vector<LoggedRun> records = log.logged_runs(options.runs);
+  const std::vector<LoggedRun> runs = log.logged_runs(options.runs);
   write_file_atomically(options.output / "summary.json",
-                        series_summary_to_json(records, options.command));
-  const bool has_doses = records.front().run.drift != records.back().run.drift;
+                        series_summary_to_json(runs, options.command));
+  const bool has_doses = runs.front().run.drift != runs.back().run.drift;
   if (options.with_figure && has_doses) draw_figure(Figure::dose_response, options.output);
-  std::printf("%s\nresults in %s\n",
-              series_table_foot(records, label_width_of(options.runs)).c_str(),
+  std::printf("%s\nresults in %s\n", series_table_foot(runs, label_width_of(options.runs)).c_str(),
               options.output.c_str());
 }
 
-/// The preset, which names what it was learned from, and the figures.
+/// Learns the tolerances, writes a preset with them and prints the variances.
 void calibrate(const ExperimentOptions& options) {
   create_directory_for_files(options.output);
   RunOptions run = options.runs.front();

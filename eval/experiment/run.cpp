@@ -25,7 +25,8 @@ ModelerConfig modeler_config(const RunOptions& run) {
   return config;
 }
 
-/// Neither the contact test of a world nor its reader is for several threads at once.
+// Neither Bullet's contact test nor the SDF reader is thread-safe, hence the lock and a world for
+// each run.
 sim::World load_world(const RunOptions& run) {
   static std::mutex mutex;
   const std::lock_guard<std::mutex> lock(mutex);

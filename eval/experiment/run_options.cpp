@@ -35,14 +35,16 @@ std::string quoted(const std::string& text) {
   return text.find_first_of(" \t'\"$&;()*?") == std::string::npos ? text : "'" + text + "'";
 }
 
-/// All but the seed, in the order that sorts runs.
+/// Returns everything but the seed, in the order of comes_before().
 auto conditions_of(const RunOptions& r) {
   return std::tie(r.world, r.route, r.config, r.model_paths, r.noise, r.tilt, r.beams, r.speed_m_s,
                   r.deskew, r.drift);
 }
 
-/// Name and value of the options that can be swept, as the command line has them.
+/// Name and value of an option on the command line.
 using Option = std::array<std::string, 2>;
+
+/// Returns the options that may differ within a series.
 std::vector<Option> varied_options(const RunOptions& r) {
   return {{"world", r.world},
           {"config", r.config},
@@ -56,7 +58,7 @@ std::vector<Option> varied_options(const RunOptions& r) {
 
 std::string content_of(const std::filesystem::path& path) {
   std::ifstream file(path, std::ios::binary);
-  if (!file) throw std::runtime_error(path.string() + ": cannot be read: is there such a file?");
+  if (!file) throw std::runtime_error(path.string() + ": cannot be read: does the file exist?");
   return {std::istreambuf_iterator<char>(file), {}};
 }
 
@@ -92,7 +94,7 @@ RunOptions with_portable_names(const RunOptions& run) {
   named.world = portable_name(find_installed_file(run.world)).string();
   named.route = portable_name(route_path(run)).string();
   named.config = portable_name(find_installed_file(run.config)).string();
-  named.model_paths.clear();  // they differ from machine to machine
+  named.model_paths.clear();  // differ between machines
   return named;
 }
 
@@ -117,7 +119,7 @@ std::string label_of(const RunOptions& run, const std::vector<RunOptions>& among
   return label + "seed " + std::to_string(run.seed);
 }
 
-/// FNV-1a, which is the same on all machines.
+// FNV-1a gives the same hash on all machines.
 std::string inputs_of(const RunOptions& run) {
   std::uint64_t hash = 0xcbf29ce484222325u;
   for (const auto& path :

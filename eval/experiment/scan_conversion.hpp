@@ -7,11 +7,10 @@
 
 namespace ribbon_mapper::eval {
 
-// What a modeler is told of a simulated tour.
-
+/// Converts a simulated scan to the modeler's input.
 LaserBeams beams_of(const sim::Scan& scan);
 
-/// What tf says on the robot: poses with the errors of its localisation.
+/// Returns the poses that tf would give for a scan, including the errors of the localisation.
 LinePoses noisy_poses(const sim::Tour& tour, const LaserBeams& beams);
 
 }  // namespace ribbon_mapper::eval

@@ -12,19 +12,19 @@
 namespace ribbon_mapper::eval {
 namespace {
 
-/// What the threads share. The runs themselves share nothing.
-class Board {
+/// State that the threads of a series share.
+class RunQueue {
  public:
-  Board(std::size_t count, ProgressBar& bar) : progress_(count), bar_(bar) {}
+  RunQueue(std::size_t count, ProgressBar& bar) : progress_(count), bar_(bar) {}
 
-  /// Index of a run that nobody has begun.
+  /// Takes the next run and returns its index. Returns nothing after the last run or a failure.
   std::optional<std::size_t> take() {
     const std::lock_guard<std::mutex> lock(mutex_);
     if (failure_ || next_ == progress_.size()) return std::nullopt;
     return next_++;
   }
 
-  /// Runs that have not begun are as long as the one that reports.
+  /// Shows the progress of the whole series, as if all runs were as long as run `index`.
   void show(std::size_t index, const Progress& progress) {
     const std::lock_guard<std::mutex> lock(mutex_);
     progress_[index] = progress;
@@ -55,27 +55,27 @@ class Board {
   ProgressBar& bar_;
 };
 
-void work(Board& board, const std::vector<RunOptions>& runs, const Run& run) {
-  while (const std::optional<std::size_t> index = board.take()) {
+void work(RunQueue& queue, const std::vector<RunOptions>& runs, const MakeRun& make_run) {
+  while (const std::optional<std::size_t> index = queue.take()) {
     try {
-      board.print(run(runs[*index], [&](const Progress& p) { board.show(*index, p); }));
+      queue.print(make_run(runs[*index], [&](const Progress& p) { queue.show(*index, p); }));
     } catch (...) {
-      board.fail(std::current_exception());
+      queue.fail(std::current_exception());
     }
   }
 }
 
 }  // namespace
 
-void make_runs(const std::vector<RunOptions>& runs, std::size_t jobs, const Run& run,
+void make_runs(const std::vector<RunOptions>& runs, std::size_t jobs, const MakeRun& make_run,
                ProgressBar& bar) {
-  Board board(runs.size(), bar);
+  RunQueue queue(runs.size(), bar);
   std::vector<std::thread> threads;
   for (std::size_t i = 0; i < std::min(jobs, runs.size()); ++i) {
-    threads.emplace_back([&] { work(board, runs, run); });
+    threads.emplace_back([&] { work(queue, runs, make_run); });
   }
   for (std::thread& thread : threads) thread.join();
-  board.rethrow();
+  queue.rethrow();
 }
 
 }  // namespace ribbon_mapper::eval

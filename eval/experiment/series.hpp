@@ -11,12 +11,12 @@
 
 namespace ribbon_mapper::eval {
 
-/// Makes a run to its end and returns what is to be printed of it.
-using Run = std::function<std::string(const RunOptions& run, const ProgressCallback& progress)>;
+/// Makes one run, reports its progress and returns the text to print.
+using MakeRun = std::function<std::string(const RunOptions& run, const ProgressCallback& progress)>;
 
-/// Makes the runs, `jobs` at a time, and prints what each of them returns. A run that throws stops
-/// those that have not begun; its exception is thrown when those that have are done.
-void make_runs(const std::vector<RunOptions>& runs, std::size_t jobs, const Run& run,
+/// Makes all runs of a series, `jobs` at a time, and prints the text of each. After a run has
+/// thrown, no further run begins. Rethrows the first exception when the current runs have ended.
+void make_runs(const std::vector<RunOptions>& runs, std::size_t jobs, const MakeRun& make_run,
                ProgressBar& bar);
 
 }  // namespace ribbon_mapper::eval

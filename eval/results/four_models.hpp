@@ -4,22 +4,22 @@
 
 namespace ribbon_mapper::eval {
 
-/// Something for each of the four cells of every table: {noisy, corrected trajectory} x {as built,
-/// merged and filtered}.
+/// A value for each of the four models that are compared: {noisy, corrected trajectory} x {as
+/// built, final}.
 template <typename Value>
 struct PerModel {
-  Value noisy_as_built;      ///< as built on the way, at the end of the tour
-  Value noisy;               ///< what mere merging would have done: the control
-  Value corrected_as_built;  ///< what the correction did
-  Value corrected;           ///< the result
+  Value noisy_as_built;      ///< noisy trajectory, planes as built during the tour
+  Value noisy;               ///< noisy trajectory, final planes: the control
+  Value corrected_as_built;  ///< corrected trajectory, planes as built
+  Value corrected;           ///< corrected trajectory, final planes: the result
 };
 
-/// The same of each cell.
+/// Applies `function` to the value of each model.
 template <typename Value, typename Function>
-auto for_each_model(const PerModel<Value>& cells, const Function& function)
-    -> PerModel<decltype(function(cells.noisy_as_built))> {
-  return {function(cells.noisy_as_built), function(cells.noisy), function(cells.corrected_as_built),
-          function(cells.corrected)};
+auto for_each_model(const PerModel<Value>& models, const Function& function)
+    -> PerModel<decltype(function(models.noisy_as_built))> {
+  return {function(models.noisy_as_built), function(models.noisy),
+          function(models.corrected_as_built), function(models.corrected)};
 }
 
 }  // namespace ribbon_mapper::eval

@@ -53,7 +53,7 @@ Json to_json(const Evops& e) {
           {"missed", e.missed}};
 }
 
-/// One cell by the planes, and by their points where these are known.
+/// Returns the metrics of one model, by planes and, where beams have labels, by points.
 Json model_to_json(const MapMetrics& planes, const PointMetrics* points) {
   Json json = to_json(planes);
   json["segcomp"] = points ? to_json(points->segcomp) : Json(nullptr);
@@ -100,16 +100,16 @@ std::string table_row(const char* name, const PointMetrics& m) {
 }
 
 template <typename Metrics>
-std::string table_rows(const PerModel<Metrics>& cells) {
-  return table_row("noisy, as built", cells.noisy_as_built) +
-         table_row("noisy, merged and filtered", cells.noisy) +
-         table_row("corrected, as built", cells.corrected_as_built) +
-         table_row("corrected, merged and filtered", cells.corrected);
+std::string table_rows(const PerModel<Metrics>& metrics) {
+  return table_row("noisy, as built", metrics.noisy_as_built) +
+         table_row("noisy, final", metrics.noisy) +
+         table_row("corrected, as built", metrics.corrected_as_built) +
+         table_row("corrected, final", metrics.corrected);
 }
 
 std::string points_table(const PerModel<PointMetrics>& points) {
   return format("\n%-32s %6s %8s %7s %6s %11s %6s %9s %10s %11s\n", "by points (SegComp, EVOPS)",
-                "right", "over", "under", "missed", "noise", "f1", "points %", "planes %",
+                "correct", "over", "under", "missed", "noise", "f1", "points %", "planes %",
                 "duplicates") +
          table_rows(points);
 }
@@ -140,7 +140,7 @@ Json times_of(const Summary& s) {
           {"real_time_factor", s.real_time_factor}};
 }
 
-/// The figures, without the times.
+/// Returns the figures without the times.
 Json figures_of(const Summary& s) {
   const MapMetrics& result = s.metrics.corrected;
   Json json{{"lines", s.lines},
@@ -195,9 +195,9 @@ std::string summary_table(const Summary& s) {
          table_rows(s.metrics) + format("%-32s %6zu\n", "truth", s.metrics.corrected.truth) +
          (s.points ? points_table(*s.points) : "") +
          format(
-             "\n%zu lines (%zu dropped), %zu ribbons, %.0f us per line, %.1f x real time; the "
-             "robot "
-             "ended %.2f m and %.1f deg off; corrected in %.0f ms\n",
+             "\n%zu lines (%zu dropped), %zu ribbons, %.0f us per line, %.1f x real time; end "
+             "drift "
+             "%.2f m and %.1f deg; corrected in %.0f ms\n",
              s.lines, s.dropped_lines, s.ribbons, s.us_per_line, s.real_time_factor, s.end_drift_m,
              s.end_drift_deg, s.correction_ms);
 }

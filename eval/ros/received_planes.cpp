@@ -12,7 +12,7 @@ Eigen::Vector3d vector_of(const Message& message) {
   return {message.x, message.y, message.z};
 }
 
-/// The grid is laid so that the first cell that was sent is (0, 0).
+/// Sets the cells, on a grid whose cell (0, 0) is the first one sent.
 void set_cells(const BoundedPlane& message, Plane& plane) {
   if (message.cells.empty()) return;
   const double size_m = plane.cell_size_m;

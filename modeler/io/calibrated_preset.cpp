@@ -20,7 +20,7 @@ std::string variances(const char* name, const RibbonDeviation& deviation) {
   return text.data();
 }
 
-/// A comment ends with its line.
+/// Replaces line ends, which would end a YAML comment.
 std::string in_one_line(std::string text) {
   for (char& character : text) {
     if (character == '\n' || character == '\r') character = ' ';
@@ -28,7 +28,7 @@ std::string in_one_line(std::string text) {
   return text;
 }
 
-/// Tolerances with as many digits as mean anything.
+/// Rounds to three significant digits.
 double rounded(double value) {
   std::array<char, 32> text;
   std::snprintf(text.data(), text.size(), "%.3g", value);

@@ -31,7 +31,7 @@ void flatten(const YAML::Node& node, const std::string& prefix, Values& values) 
   }
 }
 
-/// Takes the value of each known key out of `values`.
+/// Assigns the values of known keys and removes them from `values`.
 struct Assignment {
   Values& values;
   std::string known;
@@ -77,7 +77,7 @@ ModelerConfig read(const std::string& path) {
   return config;
 }
 
-/// Writes each key on a line of its own, below the sections that it is in.
+/// Writes each key on its own line, below its sections.
 struct Listing {
   std::string text;
   std::vector<std::string> sections;
@@ -120,8 +120,8 @@ ModelerConfig load_config(const std::string& path) {
   try {
     return read(path);
   } catch (const YAML::BadFile&) {
-    throw std::invalid_argument(path + ": cannot be read: is there such a file?");
-  } catch (const std::ios_base::failure& error) {  // a folder, for instance
+    throw std::invalid_argument(path + ": cannot be read: does the file exist?");
+  } catch (const std::ios_base::failure& error) {  // for example, the path is a folder
     throw std::invalid_argument(path + ": cannot be read: " + error.what());
   } catch (const YAML::Exception& error) {
     throw std::invalid_argument(path + ": " + error.what());

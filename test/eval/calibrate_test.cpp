@@ -25,14 +25,15 @@ Calibration calibration_of(const RunOptions& run) {
   return make_calibration(run, [](const Progress&) {});
 }
 
-/// The laser's sigma is 1 cm over the wall's 3.4 m; quantisation and incidence hardly change it.
+// The range noise is 1 cm at the wall's distance of 3.4 m; quantisation and incidence hardly
+// matter.
 TEST(Calibrate, VSensorIsTheNoiseOfTheLaserWhateverTheDrift) {
   const Calibration exact = calibration_of(before_the_wall(0.0));
   const Calibration drifting = calibration_of(before_the_wall(2.0));
   EXPECT_NEAR(exact.plane.d_m, 8.0, 0.01);
   EXPECT_NEAR(std::sqrt(exact.stopped.distance_variance_m2), 0.009, 0.0015);
   EXPECT_NEAR(exact.stopped.tolerance.distance_m, 0.027, 0.0045);
-  // To rounding: the two stand at other places in map.
+  // Equal but for rounding, as the robot stands elsewhere in map.
   EXPECT_NEAR(exact.stopped.distance_variance_m2, drifting.stopped.distance_variance_m2,
               1e-9 * exact.stopped.distance_variance_m2);
   EXPECT_NEAR(exact.travel_m, 3.2, 0.2);

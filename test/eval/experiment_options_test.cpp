@@ -53,7 +53,7 @@ TEST(ExperimentOptions, AllAreTaken) {
             "--config c.yaml --noise gazebo --tilt nav --beams 720 --speed 0.6 --deskew off");
 }
 
-TEST(ExperimentOptions, ListsAreSweptInAllCombinations) {
+TEST(ExperimentOptions, ListsMakeASeriesOfAllCombinations) {
   const auto options = std::get<ExperimentOptions>(
       parsed({"--world", "a.sdf,b.sdf", "--world", "c.sdf", "--drift", "0,0.5", "--seeds", "3-5",
               "--deskew", "on,off", "--tilt", "manip,nav,slow", "--beams", "380,720,1040",
@@ -66,7 +66,7 @@ TEST(ExperimentOptions, ListsAreSweptInAllCombinations) {
   EXPECT_THAT(options.command, HasSubstr("--speed 0.1,0.6"));
 }
 
-TEST(ExperimentOptions, ASingleSeedOfAListIsASweep) {
+TEST(ExperimentOptions, ASingleSeedOfAListIsASeries) {
   EXPECT_TRUE(std::get<ExperimentOptions>(parsed({"--seeds", "7"})).is_series);
 }
 

@@ -17,7 +17,7 @@ std::vector<RunOptions> runs_of(const std::vector<std::uint64_t>& seeds) {
   return runs;
 }
 
-class Sweep : public testing::TestWithParam<std::size_t> {
+class Series : public testing::TestWithParam<std::size_t> {
  protected:
   void SetUp() override {
     testing::internal::CaptureStdout();
@@ -29,7 +29,7 @@ class Sweep : public testing::TestWithParam<std::size_t> {
   }
 };
 
-TEST_P(Sweep, EveryRunIsMadeOnceAndPrinted) {
+TEST_P(Series, EveryRunIsMadeOnceAndPrinted) {
   std::mutex mutex;
   std::vector<std::uint64_t> begun;
   const std::vector<std::uint64_t> seeds{9, 3, 7, 1, 5};
@@ -53,7 +53,7 @@ TEST_P(Sweep, EveryRunIsMadeOnceAndPrinted) {
   }
 }
 
-TEST_P(Sweep, AFailureIsReportedAndNoFurtherRunBegins) {
+TEST_P(Series, AFailureIsReportedAndNoFurtherRunBegins) {
   std::atomic<int> begun{0};
   const auto run = [&](const RunOptions&, const auto&) -> std::string {
     ++begun;
@@ -68,7 +68,7 @@ TEST_P(Sweep, AFailureIsReportedAndNoFurtherRunBegins) {
   EXPECT_LE(begun, static_cast<int>(GetParam()));
 }
 
-INSTANTIATE_TEST_SUITE_P(Jobs, Sweep, testing::Values(1U, 3U, 16U));
+INSTANTIATE_TEST_SUITE_P(Jobs, Series, testing::Values(1U, 3U, 16U));
 
 }  // namespace
 }  // namespace ribbon_mapper::eval

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 ribbon_mapper authors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Allocations per scan line once a robot has seen all that there is to see from where it stands.
+// Counts memory allocations per scan line while the robot stands still and observes nothing new.
 
 #include <gtest/gtest.h>
 
@@ -11,6 +11,7 @@
 #include <cstdlib>
 #include <new>
 
+#include "eval/experiment/scan_conversion.hpp"
 #include "modeler/modeler.hpp"
 #include "modeler/program/installed_files.hpp"
 #include "modeler/ribbon/ribbon_extraction.hpp"
@@ -24,14 +25,14 @@ std::atomic<std::size_t> allocations{0};
 
 void* counted(std::size_t size, std::size_t alignment) {
   ++allocations;
-  // A size that is a multiple of the alignment, as aligned_alloc() demands.
+  // aligned_alloc() requires a size that is a multiple of the alignment.
   void* memory = std::aligned_alloc(alignment, (size + alignment - 1) / alignment * alignment);
   if (memory == nullptr) throw std::bad_alloc();
   return memory;
 }
 }  // namespace
 
-// NOLINTBEGIN: the replaceable functions of the language; their array forms call these.
+// NOLINTBEGIN: replaceable allocation functions; the array forms call these.
 void* operator new(std::size_t size) { return counted(size, alignof(std::max_align_t)); }
 void* operator new(std::size_t size, std::align_val_t alignment) {
   return counted(size, static_cast<std::size_t>(alignment));
@@ -46,14 +47,14 @@ namespace ribbon_mapper {
 namespace {
 
 constexpr int kLinesPerPeriod = 120;
-constexpr int kPeriods = 12;  // the first half of them to get used to the place
+constexpr int kPeriods = 12;  // the first half is not counted
 
 struct Line {
   LaserBeams beams;
   LinePoses poses;
 };
 
-/// Lines of a robot that stands in the living room of the flat and nods with its laser.
+/// Returns lines of a robot that stands in the apartment's living room and tilts its laser.
 std::vector<Line> standing_lines() {
   const auto world = sim::World::load(find_installed_file("worlds/apartment.sdf").string());
   const Pose T_map_base = planar_pose(-2.1, 1.0, 0.4);
@@ -65,13 +66,7 @@ std::vector<Line> standing_lines() {
     const sim::Scan scan = hokuyo.scan(world, i * hokuyo.period(),
                                        [&](Time time) { return T_map_base * T_base_laser(time); });
     Line& line = lines.emplace_back();
-    line.beams = {scan.stamp,
-                  scan.angle_min_rad,
-                  scan.angle_increment_rad,
-                  scan.time_increment_s,
-                  scan.range_min_m,
-                  scan.range_max_m,
-                  scan.ranges_m};
+    line.beams = eval::beams_of(scan);
     line.poses.T_odom_base_first = line.poses.T_odom_base_last = T_map_base;
     line.poses.T_map_base = T_map_base;
     line.poses.T_base_laser_first = T_base_laser(line.beams.stamp);
@@ -80,7 +75,7 @@ std::vector<Line> standing_lines() {
   return lines;
 }
 
-/// Allocations of work(line), by line, once the place is known.
+/// Returns the number of allocations of work(line) for each line of the second half.
 template <typename Work>
 std::vector<std::size_t> counts_of(const std::vector<Line>& lines, const Work& work) {
   std::vector<std::size_t> counts;
@@ -92,7 +87,7 @@ std::vector<std::size_t> counts_of(const std::vector<Line>& lines, const Work& w
   }
   std::size_t sum = 0;
   for (const std::size_t count : counts) sum += count;
-  std::printf("allocations per line: mean %.2f, most %zu\n",
+  std::printf("allocations per line: mean %.2f, max %zu\n",
               static_cast<double>(sum) / static_cast<double>(counts.size()),
               *std::max_element(counts.begin(), counts.end()));
   return counts;
@@ -104,7 +99,7 @@ double share_of_allocating(const std::vector<std::size_t>& counts) {
   return static_cast<double>(allocating) / static_cast<double>(counts.size());
 }
 
-/// Fills a buffer and calls work() for each middle line.
+/// Returns a function that adds a line to a buffer and calls work() for each middle line.
 template <typename Work>
 auto on_middle_lines(LineBuffer& buffer, const Work& work) {
   return [&buffer, work](const Line& line) {
@@ -114,7 +109,7 @@ auto on_middle_lines(LineBuffer& buffer, const Work& work) {
   };
 }
 
-// Noise may make more surfels of a line than there ever were: a vector then grows, once.
+// Due to noise, a line may have more surfels than any line before; a vector then grows once.
 constexpr double kSeldom = 0.01;
 
 TEST(Allocations, StopFromBeamsToSurfels) {
@@ -142,8 +137,9 @@ TEST(Allocations, StopFromBeamsToRibbons) {
   EXPECT_LE(share_of_allocating(counts), kSeldom);
 }
 
-// The model itself grows: its storage is enlarged now and then, in blocks or by a part of it. A new
-// hypothesis, where noise makes one, takes a list of its ribbons and of the places that it touches.
+// The model itself grows: now and then its storage is enlarged by a block or by a share. A
+// hypothesis that arises from noise allocates lists of its ribbons and of the voxels that it
+// touches.
 TEST(Allocations, OfTheWholeModelAreThoseOfItsGrowth) {
   const std::vector<Line> lines = standing_lines();
   Modeler modeler(ModelerConfig{});

@@ -1,10 +1,10 @@
 #!/usr/bin/python3
 # SPDX-FileCopyrightText: 2026 ribbon_mapper authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""Counts the instructions of a fixed input by callgrind and holds them against a budget.
+"""Counts the instructions of a fixed input with callgrind and compares them with a budget.
 
-Instructions do not depend on the load of a machine, so this cannot flake as a stopwatch would.
-`--renew` writes the budget anew, for a change that is meant to cost what it costs.
+Unlike times, instruction counts do not depend on the load of the machine. `--renew` replaces the
+budget, for changes that are worth their cost.
 """
 import argparse
 import json
@@ -15,8 +15,8 @@ import subprocess
 import sys
 import tempfile
 
-ROOM = 1.10  # of the budget: compilers and C libraries differ a little
-SKIPPED = 77  # tells ctest
+MAX_RATIO = 1.10  # to the budget; compilers and C libraries differ a little
+SKIPPED = 77  # exit code that ctest reports as skipped
 STAGES = {
     'scan': 'ribbon_mapper::sim::Tour::next_scan',
     'line': 'ribbon_mapper::Modeler::add_scan_line',
@@ -26,7 +26,7 @@ STAGES = {
 
 
 def counted(program, directory):
-    """Runs the program under callgrind; instructions by stage, and what it printed."""
+    """Runs the program under callgrind. Returns the instructions of each stage and the output."""
     profile = pathlib.Path(directory) / 'callgrind.out'
     command = ['valgrind', '--tool=callgrind', '--collect-atstart=no',
                f'--callgrind-out-file={profile}']
@@ -38,33 +38,36 @@ def counted(program, directory):
     for stage, name in STAGES.items():
         found = re.search(r'^\s*([\d,]+) .*:' + re.escape(name) + r'\(', table, re.MULTILINE)
         if not found:
-            sys.exit(f'guard: {name} was not called, or it was inlined: name another in {__file__}')
+            sys.exit(f'instruction_budget: {name} was not called or was inlined: '
+                     f'update STAGES in {__file__}')
         counts[stage] = int(found.group(1).replace(',', ''))
     return counts, run.stdout.strip()
 
 
 def compare(counts, result, budget):
-    """Prints both; true if all is within the budget and the work is the same."""
+    """Prints counts and budget. Returns whether all counts are within the budget."""
     good = True
     for stage, count in counts.items():
         share = count / budget['instructions'][stage]
-        word = 'OVER THE BUDGET' if share > ROOM else 'renew it' if share < 1 / ROOM else 'ok'
-        good &= share <= ROOM
+        word = ('OVER BUDGET' if share > MAX_RATIO else
+                'under budget: renew it' if share < 1 / MAX_RATIO else 'ok')
+        good &= share <= MAX_RATIO
         allowed = budget['instructions'][stage]
         print(f'{stage:8} {count:>15,} of {allowed:>15,}  {share:6.3f}  {word}')
     if result != budget['result']:
-        print(f'the result is "{result}", not "{budget["result"]}" as when the budget was written')
+        print(f'the result is "{result}", not "{budget["result"]}" as at the last renewal')
     return good
 
 
 def main():
     parser = argparse.ArgumentParser(description=__doc__)
-    parser.add_argument('program', help='bench/guard/instructions_input as built')
-    parser.add_argument('budget', type=pathlib.Path, help='bench/guard/budget.json')
-    parser.add_argument('--renew', action='store_true', help='write the budget')
+    parser.add_argument('program', help='the built instructions_input')
+    parser.add_argument('budget', type=pathlib.Path,
+                        help='test/performance/instruction_budget.json')
+    parser.add_argument('--renew', action='store_true', help='replace the budget')
     arguments = parser.parse_args()
     if not shutil.which('valgrind'):
-        print('guard: valgrind is not installed, nothing is counted (./install_dependencies bench)')
+        print('instruction_budget: skipped, valgrind is missing (./install_dependencies test)')
         return SKIPPED
     with tempfile.TemporaryDirectory() as directory:
         counts, result = counted(arguments.program, directory)
@@ -75,7 +78,7 @@ def main():
         return 0
     if compare(counts, result, json.loads(arguments.budget.read_text())):
         return 0
-    print(f'guard: if the work is worth it: {sys.argv[0]} --renew {arguments.program} '
+    print(f'instruction_budget: to accept the new costs: {sys.argv[0]} --renew {arguments.program} '
           f'{arguments.budget}')
     return 1
 

@@ -4,21 +4,21 @@
 
 #include <gtest/gtest.h>
 
-namespace ribbon_mapper::eval {
+namespace ribbon_mapper {
 namespace {
 
-TEST(Share, HasTheScriptOfTheFigure) {
+TEST(InstalledFiles, IncludeTheScriptOfTheFigure) {
   EXPECT_TRUE(std::filesystem::exists(installed_directory() / "eval/figures/before_after.py"));
 }
 
-TEST(Share, FindsWhatIsInThePackageAndLeavesOtherPathsAlone) {
+TEST(InstalledFiles, AreFoundAndOtherPathsAreLeftUnchanged) {
   EXPECT_EQ(find_installed_file("worlds/apartment.sdf"),
             installed_directory() / "worlds/apartment.sdf");
   EXPECT_EQ(find_installed_file("/proc/self/exe"), "/proc/self/exe");
   EXPECT_EQ(find_installed_file("no/such.sdf"), "no/such.sdf");
 }
 
-TEST(Share, NamesWithinThePackageAreTheSameOnEveryMachine) {
+TEST(InstalledFiles, HaveTheSameNameOnEveryMachine) {
   EXPECT_EQ(portable_name(installed_directory() / "worlds" / "apartment.sdf"),
             "worlds/apartment.sdf");
   EXPECT_EQ(portable_name("/elsewhere/flat.sdf"), "/elsewhere/flat.sdf");
@@ -28,4 +28,4 @@ TEST(Share, NamesWithinThePackageAreTheSameOnEveryMachine) {
 }
 
 }  // namespace
-}  // namespace ribbon_mapper::eval
+}  // namespace ribbon_mapper
