@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 ribbon_mapper authors
 // SPDX-License-Identifier: BSD-3-Clause
-/// Models a room of six planes from the lines of a laser that tilts in its middle.
+/// Models a room of six planes from the lines of a tilting laser on a robot that turns on the spot.
 #include <cstdio>
 
 #include "examples/room_scanner.hpp"
@@ -9,10 +9,10 @@
 using namespace ribbon_mapper;
 
 int main() {
-  const auto T_map_base = [](double) { return Pose::Identity(); };  // the robot stands still
+  const auto T_map_base = [](double time_s) { return planar_pose(0.0, 0.0, 0.5 * time_s); };
 
   Modeler modeler(ModelerConfig{});
-  for (int line = 0; line < 400; ++line) {
+  for (int line = 0; line < 600; ++line) {
     const LaserBeams beams = room_scanner::beams_of_line(line, T_map_base);
     const LinePoses poses = room_scanner::poses_of_line(line, T_map_base);
     modeler.add_scan_line(beams, poses);
