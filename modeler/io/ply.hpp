@@ -13,7 +13,8 @@ namespace ribbon_mapper {
 
 /// The surfaces of the planes as triangles, their front towards the seen side. Vertices have a
 /// normal and a colour, faces the id of their plane.
-std::string planes_to_ply_mesh(const std::vector<Plane>& planes);
+/// Stripes between scan lines of up to `stripe_gap_m` are closed.
+std::string planes_to_ply_mesh(const std::vector<Plane>& planes, double stripe_gap_m);
 
 /// The centres of the seen cells, each with the normal, the colour and the id of its plane.
 std::string planes_to_ply_cloud(const std::vector<Plane>& planes);
