@@ -59,11 +59,11 @@ void PlaneMap::add(const PosedRibbon& ribbon, std::uint32_t index) {
   const Eigen::Vector3f normal = ribbon.normal.cast<float>();
   const Eigen::Vector3f centroid = ribbon.centroid.cast<float>();
   const auto is_parallel = [&](std::uint32_t slot) {
-    return sides_[slot].normal.dot(normal) >= min_cosine_;
+    return float_planes_[slot].normal.dot(normal) >= min_cosine_;
   };
   const auto is_close = [&](std::uint32_t slot) {
-    const Side& side = sides_[slot];
-    return std::abs(side.normal.dot(centroid) + side.d_m) <= max_distance_m_;
+    const FloatPlane& plane = float_planes_[slot];
+    return std::abs(plane.normal.dot(centroid) + plane.d_m) <= max_distance_m_;
   };
   index_.voxels_of(ribbon, voxels_);
   index_.near(voxels_, cube_side(ribbon.normal), is_parallel, near_);
@@ -95,14 +95,14 @@ std::uint32_t PlaneMap::new_slot() {
   }
   reserve_one_more(hypotheses_);
   hypotheses_.push_back(empty);
-  sides_.emplace_back();
+  float_planes_.emplace_back();
   return static_cast<std::uint32_t>(hypotheses_.size() - 1);
 }
 
 /// Updates what is derived from a hypothesis' plane after a new fit.
 void PlaneMap::refresh(std::uint32_t slot) {
   const Eigen::Vector3d& normal = hypotheses_[slot].normal();
-  sides_[slot] = {normal.cast<float>(), static_cast<float>(hypotheses_[slot].d_m())};
+  float_planes_[slot] = {normal.cast<float>(), static_cast<float>(hypotheses_[slot].d_m())};
   index_.list(slot, cube_sides_within(normal, reach_));
 }
 
@@ -168,7 +168,7 @@ std::vector<Hypothesis> PlaneMap::merged_hypotheses() const {
 /// Returns the slots near a hypothesis that may be one plane with it, including its own.
 std::vector<std::uint32_t> PlaneMap::parallel_neighbours(std::uint32_t slot) {
   const auto is_parallel = [&](std::uint32_t other) {
-    return sides_[slot].normal.dot(sides_[other].normal) >= min_cosine_;
+    return float_planes_[slot].normal.dot(float_planes_[other].normal) >= min_cosine_;
   };
   std::vector<std::uint32_t> neighbours;
   index_.near(index_.touched_by(slot), cube_side(hypotheses_[slot].normal()), is_parallel,
@@ -218,7 +218,7 @@ void PlaneMap::take_ids_from(const PlaneMap& before,
 
 std::size_t PlaneMap::memory_bytes() const {
   std::size_t bytes = index_.memory_bytes() + hypotheses_.capacity() * sizeof(Hypothesis) +
-                      sides_.capacity() * sizeof(Side) +
+                      float_planes_.capacity() * sizeof(FloatPlane) +
                       free_slots_.capacity() * sizeof(std::uint32_t);
   for (const Hypothesis& plane : hypotheses_) bytes += plane.members().capacity() * sizeof(Member);
   return bytes;

@@ -47,7 +47,7 @@ class PlaneMap {
 
   /// A hypothesis' plane in single precision, a quarter of a cache line. Rejects most of the
   /// ribbons near a hypothesis that do not belong to it.
-  struct Side {
+  struct FloatPlane {
     Eigen::Vector3f normal;
     float d_m;
   };
@@ -60,12 +60,12 @@ class PlaneMap {
   bool absorb_neighbours(std::uint32_t slot);
 
   AssociationGates gates_;
-  float min_cosine_, max_distance_m_;  // gates for a Side, with margins far above rounding
+  float min_cosine_, max_distance_m_;  // gates for a FloatPlane, with margins far above rounding
   double reach_;  // largest distance from a hypothesis' unit normal to those of its ribbons
   VoxelIndex index_;
   std::int64_t next_id_;
   std::vector<Hypothesis> hypotheses_;         // by slot; a free slot has no members
-  std::vector<Side> sides_;                    // by slot
+  std::vector<FloatPlane> float_planes_;       // by slot
   std::vector<std::uint32_t> free_slots_;      // of hypotheses that were merged into others
   std::vector<std::uint32_t> voxels_;          // working memory
   std::vector<std::uint32_t> near_, matches_;  // working memory

@@ -10,6 +10,7 @@
 
 namespace ribbon_mapper {
 
+/// Points of weight 1 [m].
 using Points = std::vector<Eigen::Vector3d>;
 
 /// Returns points that are normally distributed about `centre`, with these standard deviations
