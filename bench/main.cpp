@@ -81,7 +81,7 @@ void shorten(Recording& recording) {
 
 Inputs inputs_of(const Options& options, const std::string& config, Recording recording) {
   if (options.quick) shorten(recording);
-  return {options, load_config(find_shared(config).string()), std::move(recording)};
+  return {options, load_config(find_installed_file(config).string()), std::move(recording)};
 }
 
 std::vector<Inputs> bags_of(const Options& options) {

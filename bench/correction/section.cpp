@@ -40,7 +40,7 @@ nlohmann::json our_correction(const Inputs& inputs) {
 /// The same planes from the raw lines: the gates are those of corrected poses from the start.
 nlohmann::json our_rebuild(const Inputs& inputs) {
   ModelerConfig config = inputs.config;
-  config.map.slam = config.map.corrected;
+  config.association.slam = config.association.corrected;
   std::vector<LinePoses> poses;
   for (const RecordedLine& line : inputs.recording.lines) poses.push_back(with_true_pose(line));
   std::vector<Plane> planes;
@@ -70,7 +70,7 @@ nlohmann::json on_voxels(const Inputs& inputs, const PlanesPeer& peer) {
   });
   return {{"seconds", seconds},
           {"metrics",
-           judged(bounded_planes(planes, ViewField(cloud), inputs.config.map), inputs.recording)}};
+           judged(bounded_planes(planes, ViewField(cloud), inputs.config), inputs.recording)}};
 }
 
 /// Median of some runs in processes of their own; nothing if one did not finish.

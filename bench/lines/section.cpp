@@ -67,7 +67,7 @@ Row row_of(const Recording& recording, const ScanConfig& config, const LineTimes
 /// The unit: measured before and after `work`, as the machine's moods hit both.
 template <typename Work>
 double solve_ns_around(const Inputs& inputs, const Work& work) {
-  const auto covariances = covariances_of(sample_buffers(inputs.recording, inputs.config, 16));
+  const auto covariances = covariances_of(sample_lines(inputs.recording, inputs.config, 16));
   std::vector<double> solves;
   const auto solve = [&] { solves.push_back(eigen_solve_ns(covariances)); };
   for (int i = 0; i < 20; ++i) solve();

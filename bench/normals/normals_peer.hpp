@@ -28,12 +28,12 @@ inline Eigen::Vector3d no_normal() {
 }
 
 // All peers are given the same three lines. They must outlive what is returned.
-std::vector<NormalsPeer> our_normals(const std::vector<ThreeLines>& samples,
+std::vector<NormalsPeer> our_normals(const std::vector<NormalsInput>& samples,
                                      const ModelerConfig& config);
 /// Within a radius of the neighbourhood [m], of twice that, of 30 points; and without a search.
-std::vector<NormalsPeer> pcl_normals(const std::vector<ThreeLines>& samples,
+std::vector<NormalsPeer> pcl_normals(const std::vector<NormalsInput>& samples,
                                      double neighbourhood_m);
-std::vector<NormalsPeer> pcl_integral_image_normals(const std::vector<ThreeLines>& samples);
-std::vector<NormalsPeer> cgal_normals(const std::vector<ThreeLines>& samples);
+std::vector<NormalsPeer> pcl_integral_image_normals(const std::vector<NormalsInput>& samples);
+std::vector<NormalsPeer> cgal_normals(const std::vector<NormalsInput>& samples);
 
 }  // namespace ribbon_mapper::bench

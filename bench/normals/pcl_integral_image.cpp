@@ -20,13 +20,13 @@ struct Sample {
 };
 
 /// In an optical frame, as this class expects: depth is z, and its tolerance grows with it.
-Sample converted(const ThreeLines& lines) {
-  const ScanLine& middle = lines.buffer.middle();
+Sample converted(const NormalsInput& lines) {
+  const ScanLine& middle = lines.middle();
   const Eigen::Vector3d origin = middle.origin(middle.size() / 2);
   const Eigen::Quaterniond to_optical = Eigen::Quaterniond::FromTwoVectors(
       middle.directions[middle.size() / 2], Eigen::Vector3d::UnitZ());
   Sample sample;
-  for (const ScanLine* line : {&lines.buffer.previous(), &middle, &lines.buffer.next()}) {
+  for (const ScanLine* line : {&lines.lines[0], &middle, &lines.lines[2]}) {
     for (std::size_t i = 0; i < line->size(); ++i) {
       const Eigen::Vector3f p = (to_optical * (line->points[i] - origin)).cast<float>();
       const float none = std::numeric_limits<float>::quiet_NaN();
@@ -42,11 +42,11 @@ Sample converted(const ThreeLines& lines) {
 
 }  // namespace
 
-std::vector<NormalsPeer> pcl_integral_image_normals(const std::vector<ThreeLines>& lines) {
+std::vector<NormalsPeer> pcl_integral_image_normals(const std::vector<NormalsInput>& lines) {
   auto samples = std::make_shared<std::vector<Sample>>();
   NormalsPeer peer;
   peer.name = "pcl::IntegralImageNormalEstimation, 3 x N";
-  for (const ThreeLines& sample : lines) {
+  for (const NormalsInput& sample : lines) {
     samples->push_back(converted(sample));
     peer.normals += samples->back().image->size();
   }
@@ -65,7 +65,7 @@ std::vector<NormalsPeer> pcl_integral_image_normals(const std::vector<ThreeLines
     }
   };
   peer.normal_at = [samples, &lines](std::size_t s, std::size_t beam) -> Eigen::Vector3d {
-    const ScanLine& middle = lines[s].buffer.middle();
+    const ScanLine& middle = lines[s].middle();
     const Eigen::Quaterniond to_optical = Eigen::Quaterniond::FromTwoVectors(
         middle.directions[middle.size() / 2], Eigen::Vector3d::UnitZ());
     const auto& normal = (*samples)[s].normals[middle.size() + beam];

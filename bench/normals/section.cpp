@@ -21,16 +21,16 @@ constexpr double kDegrees = 180.0 / 3.14159265358979323846;
 
 /// Of a place where we have a normal, the normal in map that all are held against.
 using Reference =
-    std::function<std::optional<Eigen::Vector3d>(const ThreeLines& lines, const Surfel& surfel)>;
+    std::function<std::optional<Eigen::Vector3d>(const NormalsInput& lines, const Surfel& surfel)>;
 
 /// The truth, on flat faces. Without a truth ours: then it is but the angle between both.
 Reference reference_of(const Recording& recording) {
   if (recording.face_normals.empty()) {
-    return [](const ThreeLines& lines, const Surfel& surfel) -> std::optional<Eigen::Vector3d> {
+    return [](const NormalsInput& lines, const Surfel& surfel) -> std::optional<Eigen::Vector3d> {
       return lines.R_map_odom * surfel.normal;
     };
   }
-  return [&recording](const ThreeLines& lines,
+  return [&recording](const NormalsInput& lines,
                       const Surfel& surfel) -> std::optional<Eigen::Vector3d> {
     const int face = lines.middle->faces[surfel.beam];
     if (face < 0 || recording.face_normals[face].isZero()) return std::nullopt;
@@ -52,12 +52,12 @@ std::size_t bin_of(double value, std::initializer_list<double> ends) {
 }
 
 /// At the beams where we have a normal and there is a reference.
-AngleErrors errors_of(const NormalsPeer& peer, const std::vector<ThreeLines>& samples,
+AngleErrors errors_of(const NormalsPeer& peer, const std::vector<NormalsInput>& samples,
                       const Reference& reference) {
   AngleErrors errors;
   if (!peer.normal_at) return errors;
   for (std::size_t s = 0; s < samples.size(); ++s) {
-    const ScanLine& line = samples[s].buffer.middle();
+    const ScanLine& line = samples[s].middle();
     for (const Surfel& surfel : samples[s].surfels) {
       const auto truth = reference(samples[s], surfel);
       if (!truth) continue;
@@ -118,7 +118,7 @@ void append(List& list, const List& more) {
   list.insert(list.end(), more.begin(), more.end());
 }
 
-std::vector<NormalsPeer> all_peers(const std::vector<ThreeLines>& samples,
+std::vector<NormalsPeer> all_peers(const std::vector<NormalsInput>& samples,
                                    const ModelerConfig& config) {
   std::vector<NormalsPeer> peers = our_normals(samples, config);
   append(peers, pcl_normals(samples, config.ribbon.neighbourhood_m));
@@ -171,8 +171,8 @@ void measure_normals(const Inputs& inputs, Report& report) {
   const Reference reference = reference_of(recording);
   const bool has_truth = !recording.face_normals.empty();
   // Few for the times, as lines come hot from the cache; many for the errors.
-  const auto few = sample_buffers(recording, inputs.config, 16);
-  const auto many = sample_buffers(recording, inputs.config, inputs.options.quick ? 100 : 400);
+  const auto few = sample_lines(recording, inputs.config, 16);
+  const auto many = sample_lines(recording, inputs.config, inputs.options.quick ? 100 : 400);
   const auto timed = all_peers(few, inputs.config), judged = all_peers(many, inputs.config);
   const Times ns = times_of(timed, covariances_of(few));
   const double ours_ns = ns.at(timed[kOurs].name), pcl_ns = ns.at(timed[kPcl].name);
@@ -188,7 +188,7 @@ void measure_normals(const Inputs& inputs, Report& report) {
   if (has_truth) report.set("normals_error_deg", medians_deg[kOurs]);
   report.set(has_truth ? "normals_pcl_error_deg" : "normals_pcl_from_ours_deg", medians_deg[kPcl]);
   std::size_t points = 0;
-  for (const ThreeLines& sample : few) points += sample.beams.size();
+  for (const NormalsInput& sample : few) points += sample.beams.size();
   const double share = static_cast<double>(timed[kOurs].normals) / static_cast<double>(points);
   add_times(kSolve, ns.at(kSolve), report);
   add_times("ours, per point of the line", ours_ns * share, report);

@@ -68,7 +68,7 @@ std::optional<double> distance_of(const Eigen::Vector3d& point,
 }  // namespace
 
 std::vector<Plane> bounded_planes(const std::vector<Points>& planes, const ViewField& views,
-                                  const PlaneMapConfig& config) {
+                                  const ModelerConfig& config) {
   std::vector<Plane> bounded;
   for (const Points& points : planes) {
     if (points.size() < 3) continue;
@@ -81,9 +81,9 @@ std::vector<Plane> bounded_planes(const std::vector<Points>& planes, const ViewF
     if (side < 0.0) patch.normal *= -1.0;
     patch.d_m = -patch.normal.dot(fit.mean);
     for (const Eigen::Vector3f& point : points) patch.cells.push_back(point.cast<double>());
-    Plane plane = eval::plane_of(patch, 0, config.cell_size_m);
+    Plane plane = eval::plane_of(patch, 0, config.surface.cell_size_m);
     plane.area_m2 = plane.cells.size() * plane.cell_size_m * plane.cell_size_m;
-    if (plane.area_m2 >= config.min_area_m2) bounded.push_back(std::move(plane));
+    if (plane.area_m2 >= config.assembly.min_area_m2) bounded.push_back(std::move(plane));
   }
   return bounded;
 }
@@ -123,11 +123,11 @@ nlohmann::json to_json(const eval::MapMetrics& metrics) {
 }
 
 nlohmann::json judged_by_points(const std::vector<Plane>& planes, const Points& points,
-                                const PlaneMapConfig& config) {
+                                const ModelerConfig& config) {
   std::vector<Footprint> footprints;
   double area_m2 = 0.0;
   for (const Plane& plane : planes) {
-    footprints.emplace_back(plane, config.cell_size_m);
+    footprints.emplace_back(plane, config.surface.cell_size_m);
     area_m2 += plane.area_m2;
   }
   const std::size_t stride = 1 + points.size() / 200'000;  // that many tell enough
@@ -138,7 +138,7 @@ nlohmann::json judged_by_points(const std::vector<Plane>& planes, const Points& 
     }
   }
   DuplicateRule rule;
-  rule.touching_m = config.stripe_gap_m;
+  rule.touching_m = config.surface.stripe_gap_m;
   return {{"planes", planes.size()},
           {"area_m2", area_m2},
           {"duplicates", duplicates_of_larger(planes, rule).size()},

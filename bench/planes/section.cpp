@@ -61,7 +61,7 @@ class Contest {
       const double peak_mb = peak_resident_mb() - before_mb;
       if (is_to_be_united) planes = united(planes);
       return {{"seconds", seconds},
-              {"metrics", judged(bounded_planes(planes, views_, inputs_.config.map))},
+              {"metrics", judged(bounded_planes(planes, views_, inputs_.config))},
               {"peak_mb", peak_mb}};
     };
     const auto result = run_in_child(work, inputs_.options.limit_s);
@@ -130,7 +130,7 @@ class Contest {
   }
   nlohmann::json judged(const std::vector<Plane>& planes) const {
     if (inputs_.recording.truth.empty()) {
-      return judged_by_points(planes, cloud_.points, inputs_.config.map);
+      return judged_by_points(planes, cloud_.points, inputs_.config);
     }
     return to_json(eval::compare_maps(eval::patches_of(planes), inputs_.recording.truth));
   }

@@ -9,7 +9,7 @@
 #include <sstream>
 
 #include "bench/recording/recording_file.hpp"
-#include "eval/experiment/lines.hpp"
+#include "eval/experiment/scan_conversion.hpp"
 #include "modeler/program/installed_files.hpp"
 #include "sim/truth/truth.hpp"
 
@@ -58,8 +58,8 @@ std::string text_of(const std::filesystem::path& file) {
 TourSource apartment_tour() {
   TourSource source;
   source.name = "apartment";
-  source.world = find_shared("worlds/apartment.sdf");
-  source.route = find_shared("worlds/apartment.route.yaml");
+  source.world = find_installed_file("worlds/apartment.sdf");
+  source.route = find_installed_file("worlds/apartment.route.yaml");
   source.config.localisation.drift = 3.0;  // that of the experiment
   return source;
 }

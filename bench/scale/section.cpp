@@ -35,7 +35,7 @@ double total_area_m2(const std::vector<Plane>& planes) {
 
 /// Growth is that of models from which nothing is left out.
 ModelerConfig without_limit(ModelerConfig config) {
-  config.map.max_ribbons = 0;
+  config.observations.max_ribbons = 0;
   return config;
 }
 
@@ -184,16 +184,16 @@ void correction_over_ribbons(const Inputs& inputs, Report& report) {
   }
 }
 
-/// Far more than `map.max_ribbons`: what is left, and what it is worth.
+/// Far more than `observations.max_ribbons`: what is left, and what it is worth.
 void model_at_its_limit(const Inputs& inputs, Report& report) {
-  if (inputs.options.quick || inputs.config.map.max_ribbons == 0) return;
+  if (inputs.options.quick || inputs.config.observations.max_ribbons == 0) return;
   const ChildResult run = corrections_in_child(inputs.recording, inputs.config, kMaxTours);
   const nlohmann::json& result = run.value;
   const std::size_t kept = result["ribbons"], left_out = result["thinned"];
   const double megabytes = 1e-6 * result["bytes"].get<double>();
   const nlohmann::json& f1 = result["f1"];
   report.add(
-      {formatted("growth: a model of %d ribbons at most", inputs.config.map.max_ribbons),
+      {formatted("growth: a model of %d ribbons at most", inputs.config.observations.max_ribbons),
        formatted("%zu ribbons seen: correction and planes", kept + left_out),
        result["seconds"].get<double>(),
        1e9 * result["seconds"].get<double>() / static_cast<double>(kept),

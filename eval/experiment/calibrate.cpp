@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "eval/experiment/calibrate.hpp"
 
-#include "eval/experiment/lines.hpp"
+#include "eval/experiment/scan_conversion.hpp"
 #include "eval/experiment/run.hpp"
 
 namespace ribbon_mapper::eval {

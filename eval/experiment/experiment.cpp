@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <chrono>
 
-#include "eval/experiment/lines.hpp"
+#include "eval/experiment/scan_conversion.hpp"
 #include "eval/metrics/point_truth.hpp"
 #include "eval/metrics/statistics.hpp"
 #include "eval/results/world_outlines.hpp"
@@ -119,7 +119,7 @@ Results run_experiment(const sim::World& world, const sim::Route& route,
   results.models.corrected = modeler.planes();
   results.trajectory_after = modeler.trajectory();
   evaluate(results);
-  results.summary.points = for_each_cell(results.models, [&](const std::vector<Plane>& planes) {
+  results.summary.points = for_each_model(results.models, [&](const std::vector<Plane>& planes) {
     return point_metrics(truth.points, modeler, planes);
   });
   if (const auto errors = truth.points.ribbon_errors(modeler)) {

@@ -193,7 +193,7 @@ std::variant<ExperimentOptions, int> parse_experiment_options(int argc, const ch
   }
   add_gazebo_paths(common.model_paths);
   options.runs = combinations(lists, common);
-  options.is_sweep = !lists.seeds.empty() || options.runs.size() > 1;
+  options.is_series = !lists.seeds.empty() || options.runs.size() > 1;
   options.with_figure = !lists.no_figure;
   options.command = joined(argc, argv);
   return options;

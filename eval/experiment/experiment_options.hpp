@@ -16,7 +16,7 @@ namespace ribbon_mapper::eval {
 /// What a user of `experiment` can choose.
 struct ExperimentOptions {
   std::vector<RunOptions> runs{RunOptions()};  ///< every combination of the lists that were given
-  bool is_sweep = false;  ///< several runs, or `--seeds`: a line for each, and figures over all
+  bool is_series = false;  ///< several runs, or `--seeds`: a line for each, and figures over all
   std::size_t jobs = 1;
 
   std::filesystem::path output = "results/experiment";

@@ -43,7 +43,7 @@ auto conditions_of(const RunOptions& r) {
 
 /// Name and value of the options that can be swept, as the command line has them.
 using Option = std::array<std::string, 2>;
-std::vector<Option> swept_options(const RunOptions& r) {
+std::vector<Option> varied_options(const RunOptions& r) {
   return {{"world", r.world},
           {"config", r.config},
           {"noise", r.noise},
@@ -63,14 +63,14 @@ std::string content_of(const std::filesystem::path& path) {
 }  // namespace
 
 std::filesystem::path route_path(const RunOptions& run) {
-  if (!run.route.empty()) return find_shared(run.route);
-  return find_shared(run.world).replace_extension(".route.yaml");
+  if (!run.route.empty()) return find_installed_file(run.route);
+  return find_installed_file(run.world).replace_extension(".route.yaml");
 }
 
 std::string command_of(const RunOptions& run) {
   const RunOptions defaults;
   std::ostringstream command;
-  command << "rosrun ribbon_mapper experiment --world " << quoted(shared_name(run.world).string());
+  command << "rosrun ribbon_mapper experiment --world " << quoted(portable_name(run.world).string());
   const auto add = [&](const char* name, const std::string& value, const std::string& unless) {
     if (value != unless) command << " " << name << " " << quoted(value);
   };
@@ -86,11 +86,11 @@ std::string command_of(const RunOptions& run) {
   return command.str();
 }
 
-RunOptions recorded(const RunOptions& run) {
+RunOptions with_portable_names(const RunOptions& run) {
   RunOptions named = run;
-  named.world = shared_name(find_shared(run.world)).string();
-  named.route = shared_name(route_path(run)).string();
-  named.config = shared_name(find_shared(run.config)).string();
+  named.world = portable_name(find_installed_file(run.world)).string();
+  named.route = portable_name(route_path(run)).string();
+  named.config = portable_name(find_installed_file(run.config)).string();
   named.model_paths.clear();  // they differ from machine to machine
   return named;
 }
@@ -105,11 +105,11 @@ bool is_repetition(const RunOptions& a, const RunOptions& b) {
 }
 
 std::string label_of(const RunOptions& run, const std::vector<RunOptions>& among) {
-  const std::vector<Option> own = swept_options(run);
+  const std::vector<Option> own = varied_options(run);
   std::string label;
   for (std::size_t i = 0; i < own.size(); ++i) {
     const bool is_common = std::all_of(among.begin(), among.end(), [&](const RunOptions& other) {
-      return swept_options(other)[i] == own[i];
+      return varied_options(other)[i] == own[i];
     });
     if (!is_common) label += own[i][0] + " " + own[i][1] + ", ";
   }
@@ -119,7 +119,7 @@ std::string label_of(const RunOptions& run, const std::vector<RunOptions>& among
 /// FNV-1a, which is the same on all machines.
 std::string inputs_of(const RunOptions& run) {
   std::uint64_t hash = 0xcbf29ce484222325u;
-  for (const auto& path : {find_shared(run.world), route_path(run), find_shared(run.config)}) {
+  for (const auto& path : {find_installed_file(run.world), route_path(run), find_installed_file(run.config)}) {
     for (const char byte : content_of(path) + '\0') {
       hash = (hash ^ static_cast<unsigned char>(byte)) * 0x100000001b3u;
     }

@@ -33,7 +33,7 @@ std::filesystem::path route_path(const RunOptions& run);
 std::string command_of(const RunOptions& run);
 
 /// As it is written down: files by names that other machines can follow.
-RunOptions recorded(const RunOptions& run);
+RunOptions with_portable_names(const RunOptions& run);
 
 /// The order of runs in a sweep's files: by world and the other options, the seed last.
 bool comes_before(const RunOptions& a, const RunOptions& b);

@@ -130,7 +130,7 @@ def findings(cell, truth):
 
 def titles_of(summary):
     """Per panel: its title, and the lines below."""
-    cells, truth = summary["four_cells"], summary["truth_planes"]
+    cells, truth = summary["four_models"], summary["truth_planes"]
     raw, before, after = cells["noisy_as_built"], cells["noisy"], cells["corrected"]
     return [(f"Before the correction: {counted(before['planes'], 'plane', 'planes')}",
              f"merged and filtered; as built on the way: {raw['planes']}\n"

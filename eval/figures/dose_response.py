@@ -42,7 +42,7 @@ def groups_of(summary):
 
 def draw_cell(axes, groups, cell, key):
     label, style = CELLS[cell]
-    spreads = [group["spread"][f"four_cells.{cell}.{key}"] for group in groups]
+    spreads = [group["spread"][f"four_models.{cell}.{key}"] for group in groups]
     drifts = [group["drift"] for group in groups]
     axes.fill_between(drifts, [s["lower_quartile"] for s in spreads],
                       [s["upper_quartile"] for s in spreads], color=style["color"], alpha=0.2,

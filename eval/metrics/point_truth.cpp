@@ -105,7 +105,7 @@ std::optional<RibbonErrors> PointTruth::ribbon_errors(const Modeler& modeler) co
     const sim::TruthPlane* plane = line ? plane_of(ribbon, *line) : nullptr;
     if (!plane) continue;
     const Eigen::Vector3d normal = pose.T_map_base.linear() * ribbon.normal.cast<double>();
-    const Eigen::Vector3d centroid = pose.T_map_base * ribbon.spread.mean();
+    const Eigen::Vector3d centroid = pose.T_map_base * ribbon.moments.mean();
     const double sine = normal.cross(plane->normal).norm();
     angles_deg.push_back(std::atan2(sine, normal.dot(plane->normal)) * 180.0 / M_PI);
     distances_m.push_back(std::abs(plane->normal.dot(centroid) + plane->d_m));

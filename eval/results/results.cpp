@@ -6,13 +6,13 @@
 #include <cstdio>
 #include <nlohmann/json.hpp>
 
-#include "modeler/association/association_config.hpp"
 #include "modeler/io/atomic_file.hpp"
 #include "modeler/io/colour.hpp"
 #include "modeler/io/planes_json.hpp"
 #include "modeler/io/save.hpp"
 #include "modeler/io/tum.hpp"
 #include "modeler/surface/outline.hpp"
+#include "modeler/surface/surface_config.hpp"
 
 namespace ribbon_mapper::eval {
 namespace {
@@ -50,7 +50,7 @@ std::string figure_data(const Results& results) {
 /// Planes as built on the way come without outlines, which nobody needs then.
 std::vector<Plane> with_outlines(std::vector<Plane> planes) {
   for (Plane& plane : planes) {
-    if (plane.outline.empty()) plane.outline = outline_of(plane, PlaneMapConfig().bridged_gap_m);
+    if (plane.outline.empty()) plane.outline = outline_of(plane, SurfaceConfig().bridged_gap_m);
   }
   return planes;
 }
@@ -60,7 +60,7 @@ double degrees(double angle_rad) { return angle_rad * 180.0 / 3.1415926535897932
 }  // namespace
 
 void evaluate(Results& results) {
-  results.summary.cells = for_each_cell(results.models, [&](const std::vector<Plane>& planes) {
+  results.summary.metrics = for_each_model(results.models, [&](const std::vector<Plane>& planes) {
     return compare_maps(patches_of(planes), results.truth);
   });
   if (results.trajectory_before.empty() || results.trajectory_truth.empty()) return;

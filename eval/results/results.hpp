@@ -13,7 +13,7 @@
 
 namespace ribbon_mapper::eval {
 
-using FourModels = PerCell<std::vector<Plane>>;
+using FourModels = PerModel<std::vector<Plane>>;
 
 /// What a tour leaves behind.
 struct Results {

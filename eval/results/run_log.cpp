@@ -51,10 +51,10 @@ void collect(const Json& json, const std::string& prefix, std::map<std::string, 
 
 }  // namespace
 
-Record record_of(const std::string& line) {
+LoggedRun parse_run_line(const std::string& line) {
   try {
     Json json = Json::parse(line);
-    Record record{run_of(json), json.at("inputs"), json.at("version"), line, {}};
+    LoggedRun record{run_of(json), json.at("inputs"), json.at("version"), line, {}};
     remove_conditions(json);
     collect(json, "", record.figures);
     return record;
@@ -79,7 +79,7 @@ void RunLog::enter(const std::string& line, std::size_t number) {
   const std::string place = path_.string() + ", line " + std::to_string(number) + ": ";
   const std::string advice = "; choose another --output, or move the file away";
   try {
-    Record record = record_of(line);
+    LoggedRun record = parse_run_line(line);
     if (record.version != version()) {
       throw std::invalid_argument("a run of version " + record.version + ", this is " + version());
     }
@@ -90,7 +90,7 @@ void RunLog::enter(const std::string& line, std::size_t number) {
 }
 
 bool RunLog::has(const RunOptions& run, const std::string& inputs) const {
-  const auto found = records_.find(recorded(run));
+  const auto found = records_.find(with_portable_names(run));
   if (found == records_.end()) return false;
   if (found->second.inputs == inputs) return true;
   throw std::runtime_error(path_.string() + ": the world, the route or the preset of '" +
@@ -100,7 +100,7 @@ bool RunLog::has(const RunOptions& run, const std::string& inputs) const {
 }
 
 void RunLog::append(const std::string& line) {
-  Record record = record_of(line);
+  LoggedRun record = parse_run_line(line);
   std::ofstream file(path_, std::ios::binary | std::ios::app);
   file << line << std::flush;
   if (!file) throw std::runtime_error(path_.string() + ": cannot be written; is the disk full?");
@@ -113,10 +113,10 @@ void RunLog::sort() const {
   write_file_atomically(path_, text);
 }
 
-std::vector<Record> RunLog::records_of(const std::vector<RunOptions>& runs) const {
+std::vector<LoggedRun> RunLog::logged_runs(const std::vector<RunOptions>& runs) const {
   std::set<RunOptions, Before> wanted;
-  for (const RunOptions& run : runs) wanted.insert(recorded(run));
-  std::vector<Record> records;
+  for (const RunOptions& run : runs) wanted.insert(with_portable_names(run));
+  std::vector<LoggedRun> records;
   for (const RunOptions& run : wanted) {
     const auto found = records_.find(run);
     if (found != records_.end()) records.push_back(found->second);

@@ -12,7 +12,7 @@
 namespace ribbon_mapper::eval {
 
 /// A finished run as its line in runs.jsonl says it.
-struct Record {
+struct LoggedRun {
   RunOptions run;
   std::string inputs;   ///< see inputs_of()
   std::string version;  ///< of the program
@@ -22,7 +22,7 @@ struct Record {
 };
 
 /// Throws std::invalid_argument if that is no such line.
-Record record_of(const std::string& line);
+LoggedRun parse_run_line(const std::string& line);
 
 /// runs.jsonl: a line per finished run of a sweep. Runs of a sweep that was interrupted are in it
 /// in the order in which they finished; in the end they are sorted.
@@ -44,7 +44,7 @@ class RunLog {
   void sort() const;
 
   /// Of these runs, as far as they are in the log, sorted.
-  std::vector<Record> records_of(const std::vector<RunOptions>& runs) const;
+  std::vector<LoggedRun> logged_runs(const std::vector<RunOptions>& runs) const;
 
  private:
   struct Before {
@@ -53,7 +53,7 @@ class RunLog {
   void enter(const std::string& line, std::size_t number);
 
   std::filesystem::path path_;
-  std::map<RunOptions, Record, Before> records_;  // by recorded() options
+  std::map<RunOptions, LoggedRun, Before> records_;  // by with_portable_names() options
 };
 
 }  // namespace ribbon_mapper::eval

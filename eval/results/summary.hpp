@@ -9,11 +9,11 @@
 #include "eval/experiment/run_options.hpp"
 #include "eval/metrics/map_metrics.hpp"
 #include "eval/metrics/point_metrics.hpp"
-#include "eval/results/four_cells.hpp"
+#include "eval/results/four_models.hpp"
 
 namespace ribbon_mapper::eval {
 
-using FourCells = PerCell<MapMetrics>;
+using FourMetrics = PerModel<MapMetrics>;
 
 /// What one tour says, whether it ran in one process or over ROS.
 struct Summary {
@@ -23,9 +23,9 @@ struct Summary {
   std::size_t lines = 0;
   std::size_t dropped_lines = 0;  ///< of these, lines that the modeler could not use
   std::size_t ribbons = 0;
-  FourCells cells;
+  FourMetrics cells;
   /// Against the face that each beam hit; over ROS beams have no labels.
-  std::optional<PerCell<PointMetrics>> points;
+  std::optional<PerModel<PointMetrics>> points;
 
   /// Medians over the ribbons, where the corrected trajectory places them.
   std::optional<double> ribbon_angle_deg, ribbon_distance_m;

@@ -33,7 +33,6 @@ Plane plane_from(const BoundedPlane& message) {
   plane.normal = vector_of(message.normal);
   plane.d_m = message.d;
   plane.area_m2 = message.area;
-  plane.ribbon_count = message.ribbon_count;
   plane.centroid = vector_of(message.centroid);
   for (int i = 0; i < 9; ++i) plane.covariance(i / 3, i % 3) = message.covariance[i];
   plane.cell_size_m = message.cell_size;

@@ -34,9 +34,9 @@ struct NodeParameters {
     p.model_path = from.text("model_path", "");
     p.timeout_s = from.number("timeout", 120.0, 1.0, 1e6);
     RunOptions& run = p.summary.run;
-    run.world = shared_name(p.world).string();
-    run.route = shared_name(from.text("route", "")).string();
-    run.config = shared_name(from.text("config", "")).string();
+    run.world = portable_name(p.world).string();
+    run.route = portable_name(from.text("route", "")).string();
+    run.config = portable_name(from.text("config", "")).string();
     run.noise = run.tilt = "";  // the simulator's
     run.seed = static_cast<std::uint64_t>(from.integer("seed", 0, 0, 2'000'000'000));
     run.drift = from.number("drift", 0.0, 0.0, 1000.0);

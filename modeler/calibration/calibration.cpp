@@ -9,13 +9,12 @@
 #include <stdexcept>
 
 #include "modeler/config_keys.hpp"
+#include "modeler/geometry/angles.hpp"
 #include "modeler/geometry/square.hpp"
 #include "modeler/scan/scan_line.hpp"
 
 namespace ribbon_mapper {
 namespace {
-
-constexpr double kDegree = M_PI / 180.0;
 
 // The resolution of odometry: a robot that is slower stands still.
 constexpr double kStandingSpeed_m_s = 0.001;
@@ -131,7 +130,7 @@ void Calibrator::follow(const LinePoses& poses, double line_s) {
 }
 
 void Calibrator::add(const LaserBeams& beams, const LinePoses& poses) {
-  if (defect_of(beams, poses)) return;
+  if (find_defect(beams, poses)) return;
   follow(poses, to_seconds(end_of(beams) - beams.stamp));
   if (!T_map_standing_) T_map_standing_ = poses.T_map_base;
   LinePoses placed = poses;
@@ -153,7 +152,7 @@ RibbonDeviation Calibrator::deviation(const Plane& plane, std::size_t first_ribb
   for (std::size_t i = first_ribbon; i < end_ribbon; ++i) {
     const Ribbon& ribbon = modeler_.ribbons()[i];
     const Pose& T_map_base = trajectory[ribbon.pose].T_map_base;
-    const Eigen::Vector3d centroid = T_map_base * ribbon.spread.mean();
+    const Eigen::Vector3d centroid = T_map_base * ribbon.moments.mean();
     const Eigen::Vector3d normal = T_map_base.linear() * ribbon.normal.cast<double>();
     const double distance_m = std::abs(plane.normal.dot(centroid) + plane.d_m);
     const double cosine = normal.dot(plane.normal);
@@ -195,9 +194,9 @@ Calibration Calibrator::result() const {
 }
 
 ModelerConfig with_tolerances(ModelerConfig config, const Calibration& calibration) {
-  config.map.slam = calibration.moving.tolerance;
+  config.association.slam = calibration.moving.tolerance;
   const AssociationGates& sensor = calibration.stopped.tolerance;
-  AssociationGates& corrected = config.map.corrected;
+  AssociationGates& corrected = config.association.corrected;
   corrected.angle_deg = std::max(corrected.angle_deg, sensor.angle_deg);
   corrected.distance_m = std::max(corrected.distance_m, sensor.distance_m);
   const LimitToRange limit;

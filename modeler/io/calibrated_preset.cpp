@@ -40,7 +40,7 @@ double rounded(double value) {
 std::string calibrated_preset(const ModelerConfig& config, const Calibration& calibration,
                               const std::string& source) {
   ModelerConfig learned = with_tolerances(config, calibration);
-  for (AssociationGates* gates : {&learned.map.slam, &learned.map.corrected}) {
+  for (AssociationGates* gates : {&learned.association.slam, &learned.association.corrected}) {
     gates->angle_deg = rounded(gates->angle_deg);
     gates->distance_m = rounded(gates->distance_m);
   }

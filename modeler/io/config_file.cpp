@@ -13,6 +13,7 @@
 #include <vector>
 
 #include "modeler/config_keys.hpp"
+#include "modeler/io/renamed_keys.hpp"
 
 namespace ribbon_mapper {
 namespace {
@@ -66,9 +67,11 @@ ModelerConfig read(const std::string& path) {
   ModelerConfig config;
   Assignment assignment{values, {}};
   visit_keys(config, assignment);
-  if (!values.empty()) {
-    throw std::invalid_argument("unknown key " + values.begin()->first + "; known are" +
-                                assignment.known);
+  for (const auto& [key, value] : values) {
+    if (const auto name = present_name_of(key)) {
+      throw std::invalid_argument(key + " was renamed: write " + *name);
+    }
+    throw std::invalid_argument("unknown key " + key + "; known are" + assignment.known);
   }
   config.validate();
   return config;

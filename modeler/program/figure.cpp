@@ -46,7 +46,7 @@ const char* name_of(Figure figure) {
 
 bool draw_figure(Figure figure, const std::filesystem::path& directory) {
   const std::string name = name_of(figure);
-  const auto script = share_directory() / "eval" / "figures" / (name + ".py");
+  const auto script = installed_directory() / "eval" / "figures" / (name + ".py");
   if (run(RIBBON_MAPPER_PYTHON, script.string(), directory.string()) == 0) return true;
   std::fprintf(stderr,
                "warning: %s.svg and .png were not drawn (see above; is python3-matplotlib "

@@ -8,12 +8,11 @@
 #include <map>
 
 #include "modeler/association/plane_map.hpp"
+#include "modeler/geometry/angles.hpp"
 #include "modeler/geometry/square.hpp"
 
 namespace ribbon_mapper {
 namespace {
-
-constexpr double kDegree = M_PI / 180.0;
 
 // Landmarks are listed for one side of the index only: the directions of their ribbons are as
 // uncertain as the poses.
@@ -23,12 +22,10 @@ double tilt(const Eigen::Vector3d& normal, const Eigen::Vector3d& direction) {
   return std::asin(std::min(1.0, std::abs(normal.dot(direction))));
 }
 
-std::vector<Hypothesis> hypotheses_of(const Observations& observations,
+std::vector<Hypothesis> hypotheses_of(const PosedObservations& observations,
                                       const std::vector<LineState>& lines,
                                       const SharedSettings& shared) {
-  PlaneMapConfig association;
-  association.bridged_gap_m = shared.bridged_gap_m;
-  PlaneMap map(association, shared.gates);
+  PlaneMap map(shared.bridged_gap_m, shared.gates);
   for (std::uint32_t i = 0; i < observations.ribbon_count(); ++i) {
     const PosedRibbon ribbon = observations.ribbon(i);
     if (lines[ribbon.ribbon->pose].is_localised) map.add(ribbon, i);
@@ -37,7 +34,7 @@ std::vector<Hypothesis> hypotheses_of(const Observations& observations,
 }
 
 /// The ribbons of a hypothesis without those of the segment that contributes the most.
-std::size_t independent_ribbons(const Hypothesis& hypothesis, const Observations& observations,
+std::size_t independent_ribbons(const Hypothesis& hypothesis, const PosedObservations& observations,
                                 const std::vector<LineState>& lines) {
   std::map<std::uint32_t, std::size_t> ribbons_by_segment;
   std::size_t largest = 0;
@@ -50,7 +47,7 @@ std::size_t independent_ribbons(const Hypothesis& hypothesis, const Observations
 
 }  // namespace
 
-PlaneLandmarks::PlaneLandmarks(const Observations& observations,
+PlaneLandmarks::PlaneLandmarks(const PosedObservations& observations,
                                const std::vector<LineState>& lines,
                                const RegistrationConfig& config, const SharedSettings& shared)
     : config_(config), index_(shared.bridged_gap_m) {
@@ -61,7 +58,7 @@ PlaneLandmarks::PlaneLandmarks(const Observations& observations,
   }
 }
 
-void PlaneLandmarks::add(const Hypothesis& hypothesis, const Observations& observations) {
+void PlaneLandmarks::add(const Hypothesis& hypothesis, const PosedObservations& observations) {
   const auto slot = static_cast<std::uint32_t>(landmarks_.size());
   index_.list(slot, 1 << kAnySide);
   for (const Member& member : hypothesis.members()) {
@@ -84,7 +81,7 @@ std::vector<std::uint32_t> PlaneLandmarks::landmarks_near(const PosedRibbon& rib
 bool PlaneLandmarks::fits_across(const PlaneObservation& observation, const Eigen::Vector3d& normal,
                                  const PoseBelief& belief) const {
   const Pose& T = belief.T_model_base;
-  if (normal.dot(T.linear() * observation.normal) < min_cosine_of_side) return false;
+  if (normal.dot(T.linear() * observation.normal) < kMinCosineOfSide) return false;
   const Eigen::Vector3d across = T.linear() * observation.across;
   const Eigen::Vector3d turn = across.cross(normal);
   const double variance = turn.dot(belief.covariance.bottomRightCorner<3, 3>() * turn);

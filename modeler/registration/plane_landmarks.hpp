@@ -8,7 +8,7 @@
 
 #include "modeler/association/hypothesis.hpp"
 #include "modeler/association/voxel_index.hpp"
-#include "modeler/observations/observations.hpp"
+#include "modeler/observations/posed_observations.hpp"
 #include "modeler/registration/line_state.hpp"
 #include "modeler/registration/plane_adjustment.hpp"
 #include "modeler/registration/plane_observation.hpp"
@@ -24,7 +24,7 @@ class PlaneLandmarks {
   /// independent support: min_ribbons ribbons more than the one segment contributes that
   /// contributes the most. What a single segment has seen may be that segment's error.
   /// `lines` holds the state of each pose of `observations`.
-  PlaneLandmarks(const Observations& observations, const std::vector<LineState>& lines,
+  PlaneLandmarks(const PosedObservations& observations, const std::vector<LineState>& lines,
                  const RegistrationConfig& config, const SharedSettings& shared);
 
   /// Returns the indices of the landmarks that a ribbon nearly touches.
@@ -50,7 +50,7 @@ class PlaneLandmarks {
     double square_sigmas;  // of the innovation
     Eigen::Vector2d residual;
   };
-  void add(const Hypothesis& hypothesis, const Observations& observations);
+  void add(const Hypothesis& hypothesis, const PosedObservations& observations);
   bool fits_across(const PlaneObservation& observation, const Eigen::Vector3d& normal,
                    const PoseBelief& belief) const;
   std::optional<Match> match_of(const PlaneObservation& observation,

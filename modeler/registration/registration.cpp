@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "modeler/observations/observations.hpp"
+#include "modeler/observations/posed_observations.hpp"
 #include "modeler/registration/line_state.hpp"
 #include "modeler/registration/odometry_noise.hpp"
 #include "modeler/registration/plane_adjustment.hpp"
@@ -36,7 +36,7 @@ class Registration {
   void select_segments(std::vector<TrajectorySegment> segments);
   bool needs_registration(const TrajectorySegment& segment, const SegmentSmoother& odometry) const;
   void localise(const TrajectorySegment& segment, const SegmentSmoother& odometry);
-  void find_candidates(const Observations& observations, PlaneLandmarks& landmarks);
+  void find_candidates(const PosedObservations& observations, PlaneLandmarks& landmarks);
   ObservingSegment smoothed(const TrajectorySegment& segment, const PlaneLandmarks& landmarks);
   std::vector<ObservingLine> known_lines(const PlaneLandmarks& landmarks) const;
   void take_poses_from(const ObservingSegment& observing);
@@ -134,7 +134,8 @@ void Registration::localise(const TrajectorySegment& segment, const SegmentSmoot
   }
 }
 
-void Registration::find_candidates(const Observations& observations, PlaneLandmarks& landmarks) {
+void Registration::find_candidates(const PosedObservations& observations,
+                                   PlaneLandmarks& landmarks) {
   std::size_t ribbon = 0;
   for (LineState& line : lines_) {
     for (PlaneObservation& observation : line.observations) {
@@ -181,7 +182,7 @@ void Registration::take_poses_from(const ObservingSegment& observing) {
 
 void Registration::run_round() {
   const std::vector<UnassignedPoints> no_unassigned;
-  const Observations observations(ribbons_, no_unassigned, poses());
+  const PosedObservations observations(ribbons_, no_unassigned, poses());
   T_map_model_ = observations.T_map_model();
   PlaneLandmarks landmarks(observations, lines_, config_, shared_);
   find_candidates(observations, landmarks);

@@ -73,10 +73,11 @@ TEST(CalibratedPreset, IsLoadedWithEveryKey) {
   config.scan.deskew = false;
   write_content(path, calibrated_preset(config, learned(), "a bag\nwith: lines"));
   const ModelerConfig loaded = load_config(path.string());
-  EXPECT_EQ(loaded.map.slam.angle_deg, 7.5);
-  EXPECT_EQ(loaded.map.slam.distance_m, 0.193);
-  EXPECT_EQ(loaded.map.corrected.distance_m, 0.2);
-  EXPECT_EQ(loaded.map.corrected.angle_deg, config.map.corrected.angle_deg) << "never narrower";
+  EXPECT_EQ(loaded.association.slam.angle_deg, 7.5);
+  EXPECT_EQ(loaded.association.slam.distance_m, 0.193);
+  EXPECT_EQ(loaded.association.corrected.distance_m, 0.2);
+  EXPECT_EQ(loaded.association.corrected.angle_deg, config.association.corrected.angle_deg)
+      << "never narrower";
   EXPECT_EQ(loaded.ribbon.min_points, 9);
   EXPECT_FALSE(loaded.scan.deskew);
 }
@@ -86,18 +87,18 @@ TEST(CalibratedPreset, StaysWithinTheAllowedRanges) {
   wild.moving.tolerance = {400.0, 1e-9};
   const ModelerConfig config = with_tolerances(ModelerConfig(), wild);
   EXPECT_NO_THROW(config.validate());
-  EXPECT_EQ(config.map.slam.angle_deg, 45.0);
+  EXPECT_EQ(config.association.slam.angle_deg, 45.0);
 }
 
 TEST(ConfigToYaml, IsReadAsTheSameValues) {
   const TemporaryDirectory directory;
   const auto path = directory.path() / "all.yaml";
   ModelerConfig config;
-  config.map.bridged_gap_m = 0.1 + 0.2;  // needs all digits
-  config.correction.poses_follow = !config.correction.poses_follow;
+  config.surface.bridged_gap_m = 0.1 + 0.2;  // needs all digits
+  config.trajectory.poses_follow = !config.trajectory.poses_follow;
   write_content(path, config_to_yaml(config));
   const ModelerConfig loaded = load_config(path.string());
-  EXPECT_EQ(loaded.map.bridged_gap_m, config.map.bridged_gap_m);
+  EXPECT_EQ(loaded.surface.bridged_gap_m, config.surface.bridged_gap_m);
   EXPECT_EQ(config_to_yaml(loaded), config_to_yaml(config));
   EXPECT_THAT(content_of(path), HasSubstr("\nmap:\n  slam:\n    angle_deg: 3.2\n"));
 }

@@ -4,7 +4,7 @@
 
 #include <gmock/gmock.h>
 
-#include "eval/experiment/lines.hpp"
+#include "eval/experiment/scan_conversion.hpp"
 #include "eval/experiment/run.hpp"
 
 namespace ribbon_mapper::eval {

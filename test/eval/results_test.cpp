@@ -15,7 +15,7 @@ namespace {
 TEST(Results, EachCellIsComparedWithTheTruth) {
   Results results = sample_results();
   evaluate(results);
-  const FourCells& cells = results.summary.cells;
+  const FourMetrics& cells = results.summary.metrics;
   EXPECT_EQ(cells.noisy_as_built.planes, 3U);
   EXPECT_EQ(cells.noisy_as_built.matched, 1U);
   EXPECT_EQ(cells.noisy_as_built.duplicates.size(), 1U);

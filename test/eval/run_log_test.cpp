@@ -21,7 +21,7 @@ RunOptions run(double drift, std::uint64_t seed) {
 
 std::string line_of(const RunOptions& options, const std::string& inputs = "in") {
   Summary summary;
-  summary.run = recorded(options);
+  summary.run = with_portable_names(options);
   summary.lines = options.seed;
   return run_line(summary, inputs);
 }
@@ -36,11 +36,11 @@ TEST_F(Log, ALineTellsItsRunAndItsFigures) {
   RunOptions options = run(0.5, 7);
   options.beams = 720;
   options.deskew = false;
-  const Record record = record_of(line_of(options));
-  EXPECT_FALSE(comes_before(record.run, recorded(options)));
-  EXPECT_FALSE(comes_before(recorded(options), record.run));
+  const LoggedRun record = parse_run_line(line_of(options));
+  EXPECT_FALSE(comes_before(record.run, with_portable_names(options)));
+  EXPECT_FALSE(comes_before(with_portable_names(options), record.run));
   EXPECT_EQ(record.figures.at("lines"), 7.0);
-  EXPECT_EQ(record.figures.at("four_cells.noisy_as_built.planes"), 0.0);
+  EXPECT_EQ(record.figures.at("four_models.noisy_as_built.planes"), 0.0);
   EXPECT_EQ(record.figures.count("seed"), 0U);
   EXPECT_EQ(record.figures.count("angle_error_deg_mean"), 0U) << "null";
 }
@@ -67,7 +67,7 @@ TEST_F(Log, AnInterruptedSweepEndsInTheSameBytes) {
 TEST_F(Log, RecordsAreThoseThatAreAskedForSorted) {
   RunLog log(path_);
   for (const double drift : {10.0, 2.0, 0.0}) log.append(line_of(run(drift, 1)));
-  const auto records = log.records_of({run(10.0, 1), run(2.0, 1), run(5.0, 1)});
+  const auto records = log.logged_runs({run(10.0, 1), run(2.0, 1), run(5.0, 1)});
   ASSERT_EQ(records.size(), 2U);
   EXPECT_EQ(records[0].run.drift, 2.0);
   EXPECT_EQ(records[1].run.drift, 10.0);

@@ -30,8 +30,8 @@ Summary sample() {
   s.lines = 9000;
   s.dropped_lines = 3;
   s.ribbons = 80000;
-  s.cells = {metrics_with(110), metrics_with(60), metrics_with(31), metrics_with(24)};
-  MapMetrics& result = s.cells.corrected;
+  s.metrics = {metrics_with(110), metrics_with(60), metrics_with(31), metrics_with(24)};
+  MapMetrics& result = s.metrics.corrected;
   result.matched = 21;
   result.missed = {4};
   result.extra = {1, 9};
@@ -87,7 +87,7 @@ TEST(SummaryJson, HasEveryKeyWithItsOwnValue) {
 }
 
 TEST(SummaryJson, HoldsTheFourCells) {
-  const json cells = json::parse(summary_to_json(sample())).at("four_cells");
+  const json cells = json::parse(summary_to_json(sample())).at("four_models");
   EXPECT_EQ(cells.at("noisy_as_built").at("planes"), 110);
   EXPECT_EQ(cells.at("noisy").at("planes"), 60);
   EXPECT_EQ(cells.at("corrected_as_built").at("planes"), 31);
@@ -111,10 +111,10 @@ PointMetrics points_with(std::size_t correct) {
 
 TEST(SummaryJson, HoldsThePointsOfTheFourCells) {
   Summary s = sample();
-  const json without = json::parse(summary_to_json(s)).at("four_cells").at("noisy_as_built");
+  const json without = json::parse(summary_to_json(s)).at("four_models").at("noisy_as_built");
   EXPECT_TRUE(without.at("segcomp").is_null()) << "over ROS";
   s.points = {points_with(1), points_with(2), points_with(3), points_with(4)};
-  const json cells = json::parse(summary_to_json(s)).at("four_cells");
+  const json cells = json::parse(summary_to_json(s)).at("four_models");
   EXPECT_EQ(cells.at("noisy_as_built").at("segcomp").at("correct"), 1);
   EXPECT_EQ(cells.at("noisy").at("segcomp").at("correct"), 2);
   EXPECT_EQ(cells.at("corrected_as_built").at("segcomp").at("correct"), 3);

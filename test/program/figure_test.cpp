@@ -4,7 +4,7 @@
 
 #include <gmock/gmock.h>
 
-#include "eval/results/spread.hpp"
+#include "eval/results/series_summary.hpp"
 #include "test/eval/sample_results.hpp"
 #include "test/io/temporary_directory.hpp"
 
@@ -35,15 +35,15 @@ TEST(Figure, IsDrawnFromTheFilesOfARun) {
 
 TEST(Figure, DoseAndResponseIsDrawnFromTheSummaryOfASweep) {
   const TemporaryDirectory directory;
-  std::vector<Record> records;
+  std::vector<LoggedRun> records;
   for (const double drift : {0.0, 2.0}) {
     Results results = sample_results();
     evaluate(results);
     results.summary.run.drift = drift;
     results.summary.points.emplace();
-    records.push_back(record_of(run_line(results.summary, "")));
+    records.push_back(parse_run_line(run_line(results.summary, "")));
   }
-  write_content(directory.path() / "summary.json", sweep_summary_to_json(records, ""));
+  write_content(directory.path() / "summary.json", series_summary_to_json(records, ""));
   ASSERT_TRUE(draw_figure(Figure::dose_response, directory.path()));
   EXPECT_EQ(content_of(directory.path() / "dose_response.png").substr(1, 3), "PNG");
   const std::string svg = content_of(directory.path() / "dose_response.svg");

@@ -92,23 +92,23 @@ RangeOf range_of(const std::string& key) {
 
 TEST(WithTolerances, AreLimitedToTheRangesOfTheirKeys) {
   const ModelerConfig wide = with_tolerances({}, learned({400.0, 1e6}, {400.0, 1e6}));
-  EXPECT_EQ(range_of("map.slam.angle_deg").max, wide.map.slam.angle_deg);
-  EXPECT_EQ(range_of("map.slam.distance_m").max, wide.map.slam.distance_m);
-  EXPECT_EQ(range_of("map.corrected.angle_deg").max, wide.map.corrected.angle_deg);
+  EXPECT_EQ(range_of("association.slam.angle_deg").max, wide.association.slam.angle_deg);
+  EXPECT_EQ(range_of("association.slam.distance_m").max, wide.association.slam.distance_m);
+  EXPECT_EQ(range_of("association.corrected.angle_deg").max, wide.association.corrected.angle_deg);
   const ModelerConfig narrow = with_tolerances({}, learned({0.0, 0.0}, {0.0, 0.0}));
-  EXPECT_EQ(range_of("map.slam.angle_deg").min, narrow.map.slam.angle_deg);
-  EXPECT_EQ(range_of("map.slam.distance_m").min, narrow.map.slam.distance_m);
+  EXPECT_EQ(range_of("association.slam.angle_deg").min, narrow.association.slam.angle_deg);
+  EXPECT_EQ(range_of("association.slam.distance_m").min, narrow.association.slam.distance_m);
   EXPECT_NO_THROW(narrow.validate());
   EXPECT_NO_THROW(wide.validate());
 }
 
 TEST(WithTolerances, WidenTheGatesAfterACorrectionOnly) {
-  const AssociationGates before = ModelerConfig{}.map.corrected;
+  const AssociationGates before = ModelerConfig{}.association.corrected;
   const ModelerConfig config = with_tolerances({}, learned({0.5, 0.2}, {4.0, 0.1}));
-  EXPECT_EQ(before.angle_deg, config.map.corrected.angle_deg);
-  EXPECT_EQ(0.2, config.map.corrected.distance_m);
-  EXPECT_EQ(4.0, config.map.slam.angle_deg);
-  EXPECT_EQ(0.1, config.map.slam.distance_m);
+  EXPECT_EQ(before.angle_deg, config.association.corrected.angle_deg);
+  EXPECT_EQ(0.2, config.association.corrected.distance_m);
+  EXPECT_EQ(4.0, config.association.slam.angle_deg);
+  EXPECT_EQ(0.1, config.association.slam.distance_m);
 }
 
 }  // namespace

@@ -7,6 +7,7 @@
 #include <Eigen/LU>
 #include <cmath>
 
+#include "modeler/geometry/angles.hpp"
 #include "test/modeler/association/scene.hpp"
 
 namespace ribbon_mapper {
@@ -15,7 +16,6 @@ namespace {
 using Eigen::Vector3d;
 using RibbonsOfLine = std::vector<PlaneObservation>;
 
-constexpr double kDegree = M_PI / 180.0;
 constexpr RangeNoise kNoise{0.01, 0.25};
 const SharedSettings kShared{0.01, {2.0, 0.03}, 1.0};
 
@@ -41,7 +41,7 @@ class Walls {
 
   PlaneLandmarks landmarks(const RegistrationConfig& config = {}) const {
     const std::vector<StampedPose> poses(lines.size());
-    return {Observations(ribbons_, no_points_, poses), lines, config, kShared};
+    return {PosedObservations(ribbons_, no_points_, poses), lines, config, kShared};
   }
 
   std::vector<LineState> lines;

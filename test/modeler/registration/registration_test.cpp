@@ -63,7 +63,7 @@ struct Drive {
   }
 
   Pose T_map_hall;
-  Trajectory trajectory{CorrectionConfig{}};
+  Trajectory trajectory{TrajectoryConfig{}};
   std::vector<Ribbon> ribbons;
 };
 

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 ribbon_mapper authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "eval/results/spread.hpp"
+#include "eval/results/series_summary.hpp"
 
 #include <algorithm>
 #include <array>
@@ -33,7 +33,7 @@ const std::array<Column, 14> kColumns{{
     {"extra", "extra", 6, 0, 1},
     {"duplicates", "double", 7, 0, 1},
     {"f1", "f1", 6, 3, 1},
-    {"four_cells.corrected.segcomp.correct", "segcomp", 8, 0, 1},
+    {"four_models.corrected.segcomp.correct", "segcomp", 8, 0, 1},
     {"angle_error_deg_median", "deg", 6, 2, 1},
     {"offset_error_m_median", "mm", 6, 1, 1000},
     {"end_drift_m", "off m", 7, 2, 1},
@@ -58,32 +58,32 @@ std::string table_row(const std::string& label, std::size_t label_width, const V
   return row + "\n";
 }
 
-double figure(const Record& record, const std::string& key) {
+double figure(const LoggedRun& record, const std::string& key) {
   const auto found = record.figures.find(key);
   return found == record.figures.end() ? std::numeric_limits<double>::quiet_NaN() : found->second;
 }
 
-bool is_right(const Record& r) {
+bool is_right(const LoggedRun& r) {
   return figure(r, "missed") == 0 && figure(r, "extra") == 0 && figure(r, "duplicates") == 0;
 }
 
-long right_count(const std::vector<Record>& records) {
+long right_count(const std::vector<LoggedRun>& records) {
   return std::count_if(records.begin(), records.end(), is_right);
 }
 
 /// Quantile over the runs that have the figure.
-double spread_of(const std::vector<Record>& records, const std::string& key, double share) {
+double spread_of(const std::vector<LoggedRun>& records, const std::string& key, double share) {
   std::vector<double> values;
-  for (const Record& record : records) {
+  for (const LoggedRun& record : records) {
     const double value = figure(record, key);
     if (!std::isnan(value)) values.push_back(value);
   }
   return quantile(values, share);
 }
 
-std::vector<std::vector<Record>> groups_of(const std::vector<Record>& records) {
-  std::vector<std::vector<Record>> groups;
-  for (const Record& record : records) {
+std::vector<std::vector<LoggedRun>> groups_of(const std::vector<LoggedRun>& records) {
+  std::vector<std::vector<LoggedRun>> groups;
+  for (const LoggedRun& record : records) {
     if (groups.empty() || !is_repetition(groups.back().front().run, record.run)) {
       groups.emplace_back();
     }
@@ -92,20 +92,20 @@ std::vector<std::vector<Record>> groups_of(const std::vector<Record>& records) {
   return groups;
 }
 
-std::vector<RunOptions> runs_of(const std::vector<Record>& records) {
+std::vector<RunOptions> runs_of(const std::vector<LoggedRun>& records) {
   std::vector<RunOptions> runs;
-  for (const Record& record : records) runs.push_back(record.run);
+  for (const LoggedRun& record : records) runs.push_back(record.run);
   return runs;
 }
 
 /// The label of its runs, without their seed.
-std::string group_label(const std::vector<Record>& group, const std::vector<RunOptions>& all) {
+std::string group_label(const std::vector<LoggedRun>& group, const std::vector<RunOptions>& all) {
   const std::string label = label_of(group.front().run, all);
   const std::size_t seed = label.rfind("seed ");
   return seed >= 2 ? label.substr(0, seed - 2) : "";
 }
 
-nlohmann::ordered_json spread_json(const std::vector<Record>& group) {
+nlohmann::ordered_json spread_json(const std::vector<LoggedRun>& group) {
   nlohmann::ordered_json json = nlohmann::ordered_json::object();
   for (const auto& entry : group.front().figures) {
     const auto at = [&](double share) { return spread_of(group, entry.first, share); };
@@ -119,7 +119,7 @@ nlohmann::ordered_json spread_json(const std::vector<Record>& group) {
 }
 
 /// The conditions as the lines have them.
-nlohmann::ordered_json group_json(const std::vector<Record>& group) {
+nlohmann::ordered_json group_json(const std::vector<LoggedRun>& group) {
   const auto line = nlohmann::ordered_json::parse(group.front().line);
   nlohmann::ordered_json json;
   for (const char* key :
@@ -134,17 +134,17 @@ nlohmann::ordered_json group_json(const std::vector<Record>& group) {
 
 }  // namespace
 
-std::string spread_head(std::size_t label_width) {
+std::string series_table_head(std::size_t label_width) {
   std::string head(label_width, ' ');
   for (const Column& column : kColumns) head += format("%*s", column.width, column.head);
   return head + "\n";
 }
 
-std::string spread_row(const std::string& label, const Record& record, std::size_t label_width) {
+std::string series_table_row(const std::string& label, const LoggedRun& record, std::size_t label_width) {
   return table_row(label, label_width, [&](const char* key) { return figure(record, key); });
 }
 
-std::string spread_foot(const std::vector<Record>& records, std::size_t label_width) {
+std::string series_table_foot(const std::vector<LoggedRun>& records, std::size_t label_width) {
   std::string foot;
   const std::vector<RunOptions> all = runs_of(records);
   for (const auto& group : groups_of(records)) {
@@ -167,7 +167,7 @@ std::size_t label_width_of(const std::vector<RunOptions>& runs) {
   return width;
 }
 
-std::string sweep_summary_to_json(const std::vector<Record>& records, const std::string& command) {
+std::string series_summary_to_json(const std::vector<LoggedRun>& records, const std::string& command) {
   nlohmann::ordered_json json{{"command", command},
                               {"version", version()},
                               {"runs", records.size()},

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 ribbon_mapper authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "eval/experiment/sweep.hpp"
+#include "eval/experiment/series.hpp"
 
 #include <gmock/gmock.h>
 

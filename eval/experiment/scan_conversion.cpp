@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 ribbon_mapper authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "eval/experiment/lines.hpp"
+#include "eval/experiment/scan_conversion.hpp"
 
 namespace ribbon_mapper::eval {
 

@@ -24,8 +24,8 @@ LinePoses poses_of(const sim::Tour& tour, const LaserBeams& beams) {
 }
 
 void run() {
-  const auto world = sim::World::load(find_shared("worlds/apartment.sdf").string());
-  const auto route = sim::Route::load(find_shared("worlds/apartment.route.yaml").string());
+  const auto world = sim::World::load(find_installed_file("worlds/apartment.sdf").string());
+  const auto route = sim::Route::load(find_installed_file("worlds/apartment.route.yaml").string());
   sim::Tour tour(world, route, sim::TourConfig());
   Modeler modeler(ModelerConfig{});
   for (std::size_t i = 0; i < kLines; ++i) {

@@ -3,7 +3,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """The sweep as its user runs it: interrupted, resumed, spread by GNU parallel. In a bare room.
 
-Usage: sweep_command_test.py EXPERIMENT PACKAGE
+Usage: series_command_test.py EXPERIMENT PACKAGE
 """
 import json
 import pathlib

@@ -55,7 +55,7 @@ struct Line {
 
 /// Lines of a robot that stands in the living room of the flat and nods with its laser.
 std::vector<Line> standing_lines() {
-  const auto world = sim::World::load(find_shared("worlds/apartment.sdf").string());
+  const auto world = sim::World::load(find_installed_file("worlds/apartment.sdf").string());
   const Pose T_map_base = planar_pose(-2.1, 1.0, 0.4);
   const sim::TiltProfile tilt{sim::TiltProfileConfig{}};
   const auto T_base_laser = [&](Time time) { return sim::pr2::T_base_laser(tilt.angle_rad(time)); };
@@ -110,7 +110,7 @@ auto on_middle_lines(LineBuffer& buffer, const Work& work) {
   return [&buffer, work](const Line& line) {
     place_beams(line.beams, line.poses, ScanConfig{}, buffer.incoming());
     buffer.push();
-    while (buffer.advance()) work();
+    while (const auto lines = buffer.next_three_lines()) work(*lines);
   };
 }
 
@@ -121,10 +121,11 @@ TEST(Allocations, StopFromBeamsToSurfels) {
   LineBuffer buffer(ScanConfig{}.range_sigma_m);
   std::vector<Surfel> surfels;
   std::size_t made = 0;
-  const auto counts = counts_of(standing_lines(), on_middle_lines(buffer, [&] {
-                                  estimate_surfels(buffer, ScanConfig{}, RibbonConfig{}, surfels);
-                                  made += surfels.size();
-                                }));
+  const auto counts =
+      counts_of(standing_lines(), on_middle_lines(buffer, [&](const ThreeLines& lines) {
+                  estimate_surfels(lines, ScanConfig{}, RibbonConfig{}, surfels);
+                  made += surfels.size();
+                }));
   ASSERT_GT(made, 10000u);
   EXPECT_LE(share_of_allocating(counts), kSeldom);
 }
@@ -132,12 +133,11 @@ TEST(Allocations, StopFromBeamsToSurfels) {
 TEST(Allocations, StopFromBeamsToRibbons) {
   LineBuffer buffer(ScanConfig{}.range_sigma_m);
   RibbonExtraction extraction(ScanConfig{}, RibbonConfig{});
-  PointStore store;  // takes room in large blocks
   std::size_t made = 0;
-  const auto counts = counts_of(standing_lines(), on_middle_lines(buffer, [&] {
-                                  made += extraction.extract(buffer, store).size();
-                                  extraction.unassigned(buffer, store);
-                                }));
+  const auto counts =
+      counts_of(standing_lines(), on_middle_lines(buffer, [&](const ThreeLines& lines) {
+                  made += extraction.extract(lines).ribbons.size();
+                }));
   ASSERT_GT(made, 1000u);
   EXPECT_LE(share_of_allocating(counts), kSeldom);
 }

@@ -1,0 +1,12 @@
+// SPDX-FileCopyrightText: 2026 ribbon_mapper authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <cmath>
+
+namespace ribbon_mapper {
+
+/// One degree [rad].
+constexpr double kDegree = M_PI / 180.0;
+
+}  // namespace ribbon_mapper
