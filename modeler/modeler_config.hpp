@@ -22,7 +22,7 @@ struct ModelerConfig {
   AssociationConfig association;    ///< ribbons to hypotheses
   SurfaceConfig surface;            ///< cells of a plane
   AssemblyConfig assembly;          ///< hypotheses to planes
-  RegistrationConfig registration;  ///< poses of lines between corrected poses
+  RegistrationConfig registration;  ///< lines between corrected poses
 
   /// Throws std::invalid_argument with the key, its value and the allowed range if a value is out
   /// of range.

@@ -89,7 +89,8 @@ void run_series(const ExperimentOptions& options) {
                         series_summary_to_json(records, options.command));
   const bool has_doses = records.front().run.drift != records.back().run.drift;
   if (options.with_figure && has_doses) draw_figure(Figure::dose_response, options.output);
-  std::printf("%s\nresults in %s\n", series_table_foot(records, label_width_of(options.runs)).c_str(),
+  std::printf("%s\nresults in %s\n",
+              series_table_foot(records, label_width_of(options.runs)).c_str(),
               options.output.c_str());
 }
 
@@ -98,7 +99,8 @@ void calibrate(const ExperimentOptions& options) {
   create_directory_for_files(options.output);
   RunOptions run = options.runs.front();
   if (run.route.empty()) {
-    run.route = find_installed_file(run.world).replace_extension().string() + "_calibration.route.yaml";
+    run.route =
+        find_installed_file(run.world).replace_extension().string() + "_calibration.route.yaml";
   }
   std::optional<Calibration> calibration;
   {

@@ -70,7 +70,8 @@ std::filesystem::path route_path(const RunOptions& run) {
 std::string command_of(const RunOptions& run) {
   const RunOptions defaults;
   std::ostringstream command;
-  command << "rosrun ribbon_mapper experiment --world " << quoted(portable_name(run.world).string());
+  command << "rosrun ribbon_mapper experiment --world "
+          << quoted(portable_name(run.world).string());
   const auto add = [&](const char* name, const std::string& value, const std::string& unless) {
     if (value != unless) command << " " << name << " " << quoted(value);
   };
@@ -119,7 +120,8 @@ std::string label_of(const RunOptions& run, const std::vector<RunOptions>& among
 /// FNV-1a, which is the same on all machines.
 std::string inputs_of(const RunOptions& run) {
   std::uint64_t hash = 0xcbf29ce484222325u;
-  for (const auto& path : {find_installed_file(run.world), route_path(run), find_installed_file(run.config)}) {
+  for (const auto& path :
+       {find_installed_file(run.world), route_path(run), find_installed_file(run.config)}) {
     for (const char byte : content_of(path) + '\0') {
       hash = (hash ^ static_cast<unsigned char>(byte)) * 0x100000001b3u;
     }

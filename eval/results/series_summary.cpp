@@ -140,7 +140,8 @@ std::string series_table_head(std::size_t label_width) {
   return head + "\n";
 }
 
-std::string series_table_row(const std::string& label, const LoggedRun& record, std::size_t label_width) {
+std::string series_table_row(const std::string& label, const LoggedRun& record,
+                             std::size_t label_width) {
   return table_row(label, label_width, [&](const char* key) { return figure(record, key); });
 }
 
@@ -167,7 +168,8 @@ std::size_t label_width_of(const std::vector<RunOptions>& runs) {
   return width;
 }
 
-std::string series_summary_to_json(const std::vector<LoggedRun>& records, const std::string& command) {
+std::string series_summary_to_json(const std::vector<LoggedRun>& records,
+                                   const std::string& command) {
   nlohmann::ordered_json json{{"command", command},
                               {"version", version()},
                               {"runs", records.size()},

@@ -13,7 +13,8 @@ namespace ribbon_mapper::eval {
 // their seeds the least, the median and the most of each column.
 
 std::string series_table_head(std::size_t label_width);
-std::string series_table_row(const std::string& label, const LoggedRun& record, std::size_t label_width);
+std::string series_table_row(const std::string& label, const LoggedRun& record,
+                             std::size_t label_width);
 /// Of all groups, and how many runs found the truth. `records` as RunLog sorts them.
 std::string series_table_foot(const std::vector<LoggedRun>& records, std::size_t label_width);
 
@@ -24,6 +25,7 @@ std::size_t label_width_of(const std::vector<RunOptions>& runs);
 /// {key: {"least", "lower_quartile", "median", "upper_quartile", "most"}}}]}: keys as in
 /// runs.jsonl, those of objects joined by dots; `right`: runs without a missed, extra or double
 /// plane after the correction.
-std::string series_summary_to_json(const std::vector<LoggedRun>& records, const std::string& command);
+std::string series_summary_to_json(const std::vector<LoggedRun>& records,
+                                   const std::string& command);
 
 }  // namespace ribbon_mapper::eval

@@ -167,7 +167,8 @@ std::string summary_to_json(const Summary& s) {
   Json json = to_json(s.run);
   json.update(figures_of(s));
   json.update(times_of(s));
-  json.update({{"four_models", four_models_to_json(s)}, {"command", s.command}, {"version", version()}});
+  json.update(
+      {{"four_models", four_models_to_json(s)}, {"command", s.command}, {"version", version()}});
   return json.dump(2) + "\n";
 }
 

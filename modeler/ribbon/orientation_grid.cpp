@@ -46,7 +46,8 @@ std::size_t OrientationGrid::cell_of(const Eigen::Vector3d& normal) const {
   const auto row = static_cast<std::size_t>(turn_of(sine, normal.z()) * rows_per_turn_ + 0.5);
   const std::size_t cells = first_cell_[row + 1] - first_cell_[row];
   const double turn = turn_of(normal.y(), normal.x()) + 0.5;
-  return first_cell_[row] + std::min(cells - 1, static_cast<std::size_t>(turn * cells));
+  return first_cell_[row] +
+         std::min(cells - 1, static_cast<std::size_t>(turn * static_cast<double>(cells)));
 }
 
 std::size_t OrientationGrid::vote(const Eigen::Vector3d& normal, double area_m2) {

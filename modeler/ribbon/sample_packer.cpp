@@ -19,8 +19,9 @@ RibbonSamples SamplePacker::pack() {
   double max_height_m = 0.0, squares = 0.0, points = 0.0;
   for (const Sample& sample : samples_) {
     max_height_m = std::max(max_height_m, std::abs(sample.height_m));
-    squares += sample.count * (sample.square_m2 - sample.height_m * sample.height_m);
-    points += sample.count;
+    const auto count = static_cast<double>(sample.count);
+    squares += count * (sample.square_m2 - sample.height_m * sample.height_m);
+    points += count;
   }
   if (samples_.empty()) return result;
   result.start_m = static_cast<float>(samples_.front().along_m);

@@ -37,13 +37,15 @@ struct LinePoses {
 
 /// Returns the time half way between the first and the last beam.
 inline Time middle_of(const LaserBeams& beams) {
-  const double beams_after_first = beams.ranges_m.empty() ? 0.0 : beams.ranges_m.size() - 1.0;
+  const double beams_after_first =
+      beams.ranges_m.empty() ? 0.0 : static_cast<double>(beams.ranges_m.size() - 1);
   return beams.stamp + from_seconds(0.5 * beams_after_first * beams.time_increment_s);
 }
 
 /// Returns the time of the last beam.
 inline Time end_of(const LaserBeams& beams) {
-  const double beams_after_first = beams.ranges_m.empty() ? 0.0 : beams.ranges_m.size() - 1.0;
+  const double beams_after_first =
+      beams.ranges_m.empty() ? 0.0 : static_cast<double>(beams.ranges_m.size() - 1);
   return beams.stamp + from_seconds(beams_after_first * beams.time_increment_s);
 }
 

@@ -62,7 +62,8 @@ class BeamFan {
 
   Eigen::Vector2d next() {
     if (index_ % kTurns == 0) {
-      const double angle_rad = beams_.angle_min_rad + index_ * beams_.angle_increment_rad;
+      const double angle_rad =
+          beams_.angle_min_rad + static_cast<double>(index_) * beams_.angle_increment_rad;
       beam_ = {std::cos(angle_rad), std::sin(angle_rad)};
     } else {
       beam_ = {turn_.x() * beam_.x() - turn_.y() * beam_.y(),
@@ -179,7 +180,7 @@ void place_returns(const LaserBeams& beams, const LaserMotion& motion, const Sca
                    ScanLine& line) {
   const RobotBody body(line, config);
   const std::size_t size = line.size();
-  const double step = config.deskew && size > 1 ? 1.0 / (size - 1.0) : 0.0;
+  const double step = config.deskew && size > 1 ? 1.0 / static_cast<double>(size - 1) : 0.0;
   const double first = config.deskew ? -0.5 : 0.0;
   line.first_origin = motion.origin(first);
   line.origin_step = step * motion.travel();
@@ -231,7 +232,8 @@ std::optional<std::string> find_defect(const LaserBeams& beams, const LinePoses&
   if (!(beams.range_min_m >= 0.0) || !(beams.range_max_m > beams.range_min_m)) {
     return "range_min and range_max are not 0 <= range_min < range_max";
   }
-  if (beams.ranges_m.size() * std::abs(beams.angle_increment_rad) > 2.0 * M_PI + 0.1) {
+  const auto count = static_cast<double>(beams.ranges_m.size());
+  if (count * std::abs(beams.angle_increment_rad) > 2.0 * M_PI + 0.1) {
     return "more ranges than angle_increment allows for one rotation";
   }
   for (const Pose* pose :

@@ -4,8 +4,8 @@
 
 #include <gmock/gmock.h>
 
-#include "eval/experiment/scan_conversion.hpp"
 #include "eval/experiment/run.hpp"
+#include "eval/experiment/scan_conversion.hpp"
 
 namespace ribbon_mapper::eval {
 namespace {

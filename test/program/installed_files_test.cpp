@@ -12,13 +12,15 @@ TEST(Share, HasTheScriptOfTheFigure) {
 }
 
 TEST(Share, FindsWhatIsInThePackageAndLeavesOtherPathsAlone) {
-  EXPECT_EQ(find_installed_file("worlds/apartment.sdf"), installed_directory() / "worlds/apartment.sdf");
+  EXPECT_EQ(find_installed_file("worlds/apartment.sdf"),
+            installed_directory() / "worlds/apartment.sdf");
   EXPECT_EQ(find_installed_file("/proc/self/exe"), "/proc/self/exe");
   EXPECT_EQ(find_installed_file("no/such.sdf"), "no/such.sdf");
 }
 
 TEST(Share, NamesWithinThePackageAreTheSameOnEveryMachine) {
-  EXPECT_EQ(portable_name(installed_directory() / "worlds" / "apartment.sdf"), "worlds/apartment.sdf");
+  EXPECT_EQ(portable_name(installed_directory() / "worlds" / "apartment.sdf"),
+            "worlds/apartment.sdf");
   EXPECT_EQ(portable_name("/elsewhere/flat.sdf"), "/elsewhere/flat.sdf");
   EXPECT_EQ(portable_name("my/flat.sdf"), "my/flat.sdf");
   EXPECT_EQ(portable_name(installed_directory() / ".." / "flat.sdf"),

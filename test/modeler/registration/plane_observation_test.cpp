@@ -44,7 +44,7 @@ TEST(PlaneObservation, TakesTheRibbonsGeometry) {
 
 TEST(PlaneObservation, MorePointsAverageTheNoiseButForTheSharedPart) {
   const Ribbon ribbon = wall_ribbon();  // 101 points, a weight of two each line beside
-  const double weight = ribbon.spread.weight();
+  const double weight = ribbon.moments.weight();
   EXPECT_NEAR(1e-4 / weight, observed(ribbon, {0.01, 0.0}).variances[0], 1e-9);
   EXPECT_NEAR(1e-4 / weight + square(0.0025), observed(ribbon).variances[0], 1e-9);
   const Ribbon twice_as_long = wall_ribbon(2.0);

@@ -64,7 +64,8 @@ TEST(LineAverager, TheMeanHasLessNoise) {
 TEST(LineAverager, LiesWhereItsLinesLieOnAverage) {
   std::mt19937 random(1);
   LineAverager averager(config().scan);
-  for (const double tilt : {0.10, 0.11, 0.12}) averager.add(wall_line(0, tilt, random), poses_at(tilt));
+  for (const double tilt : {0.10, 0.11, 0.12})
+    averager.add(wall_line(0, tilt, random), poses_at(tilt));
   EXPECT_NEAR(angle_of(averager.mean_poses().T_base_laser_first), 0.11, 1e-6);
 }
 
@@ -78,7 +79,8 @@ TEST(LineAverager, BeamsWhoseReturnsDisagreeAreNone) {
     averager.add(beams, poses_at(0.1));
   }
   EXPECT_TRUE(std::isinf(averager.average_beams().ranges_m[50]));
-  EXPECT_TRUE(std::isfinite(averager.average_beams().ranges_m[60])) << "no return says nothing against one";
+  EXPECT_TRUE(std::isfinite(averager.average_beams().ranges_m[60]))
+      << "no return says nothing against one";
 }
 
 /// Lines 0.07 degrees apart, 2.4 mm on the wall: a quarter of the noise.
