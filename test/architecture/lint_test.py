@@ -67,8 +67,9 @@ class Lint(Scratch):
             with self.subTest(text):
                 self.assert_found(text, part, "readability-identifier-naming")
 
-    def test_names_of_poses_and_matrices(self):
-        text = "int f(int T_map_base, int H) {\n  const int R_model_base = H;\n  return R_model_base + T_map_base;\n}\n"
+    def test_names_of_poses_matrices_and_units(self):
+        text = ("inline constexpr int kWall_m = 1;\n\nint f(int T_map_base, int H) {\n"
+                "  const int R_model_base = H + kWall_m;\n  return R_model_base + T_map_base;\n}\n")
         self.assertEqual((0, "lint: clean\n"), self.lint(text))
 
     def test_bug_prone_code(self):
