@@ -39,12 +39,12 @@ std_msgs::ColorRGBA shaded(const Colour& colour, const Eigen::Vector3d& normal) 
 }
 
 /// `behind_m`: how far behind its front the surface is drawn.
-void add_surface(const Plane& plane, const Colour& colour, double behind_m,
+void add_surface(const Plane& plane, double stripe_gap_m, const Colour& colour, double behind_m,
                  visualization_msgs::Marker& marker) {
   const std_msgs::ColorRGBA shade = shaded(colour, plane.normal);
   const Eigen::Vector3d shift = -behind_m * plane.normal;
   const auto corner = [&](int u, int v) { return point_message(grid_corner(plane, u, v) + shift); };
-  for (const CellRectangle& r : surface_rectangles(plane)) {
+  for (const CellRectangle& r : surface_rectangles(plane, stripe_gap_m)) {
     const geometry_msgs::Point a = corner(r.u_begin, r.v_begin), b = corner(r.u_end, r.v_begin);
     const geometry_msgs::Point c = corner(r.u_end, r.v_end), d = corner(r.u_begin, r.v_end);
     marker.points.insert(marker.points.end(), {a, b, c, a, c, d});
@@ -65,12 +65,13 @@ std::size_t hash_of(const visualization_msgs::Marker& marker) {
 }  // namespace
 
 visualization_msgs::MarkerArray PlaneMarkers::changes(const std::vector<Plane>& planes,
+                                                      double stripe_gap_m,
                                                       const std_msgs::Header& header) {
   visualization_msgs::MarkerArray array;
   std::map<std::int64_t, std::size_t> now;
   for (const Plane& plane : planes) {
     visualization_msgs::Marker marker = triangles(header, "planes", plane.id);
-    add_surface(plane, plane_colour(plane.id), 0.0, marker);
+    add_surface(plane, stripe_gap_m, plane_colour(plane.id), 0.0, marker);
     if (marker.points.empty()) continue;  // rviz complains about a marker without points
     const std::size_t hash = now[plane.id] = hash_of(marker);
     const auto sent = sent_.find(plane.id);
@@ -85,10 +86,11 @@ visualization_msgs::MarkerArray PlaneMarkers::changes(const std::vector<Plane>& 
   return array;
 }
 
-visualization_msgs::MarkerArray white_markers(const std::vector<Plane>& planes,
+visualization_msgs::MarkerArray white_markers(const std::vector<Plane>& planes, double stripe_gap_m,
                                               const std_msgs::Header& header) {
   visualization_msgs::Marker marker = triangles(header, "before_correction", 0);
-  for (const Plane& plane : planes) add_surface(plane, {255, 255, 255}, kWhiteBehind_m, marker);
+  for (const Plane& plane : planes)
+    add_surface(plane, stripe_gap_m, {255, 255, 255}, kWhiteBehind_m, marker);
   for (std_msgs::ColorRGBA& colour : marker.colors) colour.a = 0.6F;
   if (marker.points.empty()) marker.action = visualization_msgs::Marker::DELETE;
   visualization_msgs::MarkerArray array;

@@ -17,8 +17,9 @@ namespace ribbon_mapper {
 /// for rviz rebuilds whatever it gets.
 class PlaneMarkers {
  public:
-  /// What has changed since the last call; planes that are gone are deleted.
-  visualization_msgs::MarkerArray changes(const std::vector<Plane>& planes,
+  /// What has changed since the last call; planes that are gone are deleted. Stripes between scan
+  /// lines of up to `stripe_gap_m` are closed.
+  visualization_msgs::MarkerArray changes(const std::vector<Plane>& planes, double stripe_gap_m,
                                           const std_msgs::Header& header);
   /// The next call sends all: somebody new listens.
   void forget() { sent_.clear(); }
@@ -29,7 +30,7 @@ class PlaneMarkers {
 
 /// All planes in white as one marker: the model as it was before a correction. No planes: delete
 /// it.
-visualization_msgs::MarkerArray white_markers(const std::vector<Plane>& planes,
+visualization_msgs::MarkerArray white_markers(const std::vector<Plane>& planes, double stripe_gap_m,
                                               const std_msgs::Header& header);
 
 }  // namespace ribbon_mapper

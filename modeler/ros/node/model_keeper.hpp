@@ -16,7 +16,8 @@ namespace ribbon_mapper {
 /// became of the lines, how long things took.
 class ModelKeeper {
  public:
-  explicit ModelKeeper(const ModelerConfig& config) : modeler_(config) {}
+  explicit ModelKeeper(const ModelerConfig& config)
+      : modeler_(config), stripe_gap_m_(config.surface.stripe_gap_m) {}
 
   void add(const ReadyLine& line);
   /// Throws as Modeler::correct() does; the model, and how it was before, then stay as they were.
@@ -24,6 +25,8 @@ class ModelKeeper {
   void reset();
 
   const Modeler& modeler() const { return modeler_; }
+  /// Returns SurfaceConfig::stripe_gap_m, for meshes and markers.
+  double stripe_gap_m() const { return stripe_gap_m_; }
   LineLog& log() { return log_; }
   const LineLog& log() const { return log_; }
 
@@ -42,6 +45,7 @@ class ModelKeeper {
 
  private:
   Modeler modeler_;
+  double stripe_gap_m_;
   LineLog log_;
   std::size_t version_ = 1, merged_version_ = 0;
   std::vector<Plane> merged_;

@@ -53,12 +53,13 @@ void ModelPublisher::publish_planes(ModelKeeper& keeper) {
   const std::vector<Plane>& planes = keeper.planes();
   const std::size_t revision = keeper.modeler().statistics().revision;
   if (wanted(planes_)) planes_.publish(plane_array_message(planes, header(), revision, false));
-  if (wanted(markers_)) markers_.publish(plane_markers_.changes(planes, header()));
+  if (wanted(markers_))
+    markers_.publish(plane_markers_.changes(planes, keeper.stripe_gap_m(), header()));
   if (wanted(cloud_)) cloud_.publish(cell_cloud(planes, header()));
 }
 
 void ModelPublisher::publish_before(const ModelKeeper& keeper) {
-  markers_before_.publish(white_markers(keeper.before().planes, header()));
+  markers_before_.publish(white_markers(keeper.before().planes, keeper.stripe_gap_m(), header()));
   trajectory_before_.publish(path_message(keeper.before().trajectory, map_frame_, Time(0)));
 }
 

@@ -55,7 +55,8 @@ Save::Response save_response(const std::string& name, ModelKeeper& keeper,
     check_save_name(name);
     const std::vector<Plane>& planes = keeper.planes();
     response.message = std::to_string(planes.size()) + " planes written to";
-    for (const std::filesystem::path& file : save_model(planes, directory, name))
+    for (const std::filesystem::path& file :
+         save_model(planes, directory, name, keeper.stripe_gap_m()))
       response.message += " " + file.string();
     response.success = true;
   } catch (const std::exception& error) {

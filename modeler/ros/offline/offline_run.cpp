@@ -108,6 +108,7 @@ OfflineRun model_bags(const OfflineOptions& options, const ProgressCallback& pro
   const auto poses = final_poses(options, keeper.modeler(), run.summary.trajectory);
   if (!poses.empty()) keeper.correct(poses);
   run.planes_after = keeper.planes();
+  run.stripe_gap_m = config.surface.stripe_gap_m;
   run.trajectory = keeper.modeler().trajectory();
   describe(keeper, config.surface, run);
   return run;
@@ -117,7 +118,7 @@ void write_model(const OfflineRun& run, const std::filesystem::path& directory) 
   create_directory_for_files(directory);
   write_file_atomically(directory / "planes_before.json", planes_to_json(run.planes_before));
   write_file_atomically(directory / "trajectory.tum", to_tum(run.trajectory));
-  save_model(run.planes_after, directory, "planes_after");
+  save_model(run.planes_after, directory, "planes_after", run.stripe_gap_m);
 }
 
 }  // namespace ribbon_mapper

@@ -8,6 +8,7 @@
 #include "modeler/ros/offline/offline_options.hpp"
 #include "modeler/ros/offline/offline_summary.hpp"
 #include "modeler/surface/plane.hpp"
+#include "modeler/surface/surface_config.hpp"
 
 namespace ribbon_mapper {
 
@@ -15,7 +16,8 @@ namespace ribbon_mapper {
 struct OfflineRun {
   OfflineSummary summary;  ///< without what it cost
   std::vector<Plane> planes_before, planes_after;
-  std::vector<StampedPose> trajectory;  ///< acquisition poses of the final model
+  double stripe_gap_m = SurfaceConfig{}.stripe_gap_m;  ///< as configured, for the mesh
+  std::vector<StampedPose> trajectory;                 ///< acquisition poses of the final model
 };
 
 /// Reads the bags through the intake of the node into the modeler, then evaluates the model with
