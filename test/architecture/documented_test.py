@@ -33,6 +33,7 @@ class Reader(unittest.TestCase):
     def test_each_kind_of_declaration(self):
         text = """namespace a {
             class Forward;
+            DECLARE_ALL_IN_ONE;
             using std::swap;
             enum class Colour { red, green = 2 };
             template <class T, int N = 3> struct Pair : Base<T> { T first{}, *second = nullptr; };
