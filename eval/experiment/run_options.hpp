@@ -20,6 +20,7 @@ struct RunOptions {
   double drift = 3.0;      ///< where the paper's 110 planes come from
   std::string noise = "datasheet";
   std::string tilt = "manip";
+  std::string caster = "bullet";  ///< library that casts the rays, see sim::RayCasterKind
   // Nothing: as the PR2, the route and the preset have it.
   std::optional<int> beams;         ///< a quarter of a degree apart
   std::optional<double> speed_m_s;  ///< the route's turn rate is scaled alike

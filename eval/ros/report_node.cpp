@@ -37,7 +37,7 @@ struct NodeParameters {
     run.world = shared_name(p.world).string();
     run.route = shared_name(from.text("route", "")).string();
     run.config = shared_name(from.text("config", "")).string();
-    run.noise = run.tilt = "";  // the simulator's
+    run.noise = run.tilt = run.caster = "";  // the simulator's
     run.seed = static_cast<std::uint64_t>(from.integer("seed", 0, 0, 2'000'000'000));
     run.drift = from.number("drift", 0.0, 0.0, 1000.0);
     p.summary.command = from.text("command", "");
