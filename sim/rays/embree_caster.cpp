@@ -7,6 +7,7 @@
 #include <Eigen/Geometry>
 #include <cmath>
 #include <limits>
+#include <new>
 #include <stdexcept>
 #include <type_traits>
 
@@ -15,9 +16,11 @@ namespace {
 
 using Eigen::Vector3d;
 
+/// Gives Embree's objects back.
 struct Release {
   void operator()(RTCDevice device) const { rtcReleaseDevice(device); }
   void operator()(RTCScene scene) const { rtcReleaseScene(scene); }
+  void operator()(RTCGeometry geometry) const { rtcReleaseGeometry(geometry); }
 };
 template <typename Handle>
 using Owner = std::unique_ptr<std::remove_pointer_t<Handle>, Release>;
@@ -91,12 +94,12 @@ class EmbreeCaster : public RayCaster {
 
  private:
   void add(const std::vector<Triangle>& triangles) {
-    RTCGeometry geometry = rtcNewGeometry(device_.get(), RTC_GEOMETRY_TYPE_TRIANGLE);
+    const Owner<RTCGeometry> geometry(rtcNewGeometry(device_.get(), RTC_GEOMETRY_TYPE_TRIANGLE));
     auto* vertices = static_cast<float*>(
-        rtcSetNewGeometryBuffer(geometry, RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT3,
+        rtcSetNewGeometryBuffer(geometry.get(), RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT3,
                                 3 * sizeof(float), 3 * triangles.size()));
     auto* indices = static_cast<unsigned*>(
-        rtcSetNewGeometryBuffer(geometry, RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT3,
+        rtcSetNewGeometryBuffer(geometry.get(), RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT3,
                                 3 * sizeof(unsigned), triangles.size()));
     if (!vertices || !indices) throw std::bad_alloc();
     unsigned count = 0;
@@ -105,9 +108,8 @@ class EmbreeCaster : public RayCaster {
         for (const double coordinate : corner) *vertices++ = static_cast<float>(coordinate);
         *indices++ = count++;
       }
-    rtcCommitGeometry(geometry);
-    rtcAttachGeometry(scene_.get(), geometry);
-    rtcReleaseGeometry(geometry);
+    rtcCommitGeometry(geometry.get());
+    rtcAttachGeometry(scene_.get(), geometry.get());
   }
 
   Owner<RTCDevice> device_;
