@@ -10,8 +10,8 @@
 namespace ribbon_mapper::sim {
 
 /// Returns a caster that asks Bullet, in double precision: one static triangle mesh with an
-/// unquantised tree. Bullet widens each triangle by 1e-4 of its height over each edge, so an
-/// outer edge of a 10 m wall is met up to 1 mm beside it. Of surfaces in the same place, any may be
+/// unquantised tree. Bullet widens each triangle by 1e-4 of its height over each edge. So a
+/// ray hits a 10 m wall up to 1 mm beyond its outer edge. Of surfaces in the same place, any may be
 /// reported.
 std::unique_ptr<const RayCaster> make_bullet_caster(const std::vector<Triangle>& triangles);
 

@@ -44,8 +44,8 @@ class Route {
   static Route load(const std::string& path);
 
   /// Plans the motion; the robot rests for `rest_s` (0 to 1000) before it starts. Throws
-  /// std::invalid_argument if a speed exceeds the PR2's limits (1 m/s, 2 rad/s), if there are fewer
-  /// than two waypoints, or if two successive ones are in the same place.
+  /// std::invalid_argument if a speed exceeds the PR2's limits (1 m/s, 2 rad/s). Also throws it for
+  /// fewer than two waypoints, or two successive ones in the same place.
   Route(double speed_m_s, double turn_rate_rad_s, std::vector<Eigen::Vector2d> waypoints,
         double rest_s = 0.0);
 

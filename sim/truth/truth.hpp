@@ -12,7 +12,7 @@
 
 namespace ribbon_mapper::sim {
 
-/// The part of a plane of the world that beams hit: a connected patch of 5 cm cells on faces with
+/// The part of a plane of the world that beams hit: a connected patch of 5 cm cells. Its faces have
 /// the same visible side, normal (within 0.5 degrees) and offset (within 1 cm). Gaps of at most 1 m
 /// are bridged, so a wall with a door in it is one plane. Patches below 0.5 m2 and curved faces are
 /// not planes.

@@ -50,8 +50,8 @@ TEST(Localisation, StraightDriveDriftsAsGmappingsModel) {
   const double yaw_rad = 0.02 * 0.5 * std::sqrt(8.0);
   expect_within(at_end.yaw_rad, yaw_rad, 0.15);
   expect_within(at_end.x_m, 0.01 * 0.5 * std::sqrt(8.0), 0.15);
-  // Across: a small error of its own, and the random walk of the heading over the way, which is
-  // L^2 sigma^2 / 3 in the robot's frame at the end.
+  // Across: a small error of its own, and the random walk of the heading over the way. The latter
+  // is L^2 sigma^2 / 3 in the robot's frame at the end.
   const double across_m =
       std::hypot(4.0 * yaw_rad / std::sqrt(3.0), 0.3 * 0.01 * 0.5 * std::sqrt(8.0));
   expect_within(at_end.y_m, across_m, 0.15);
