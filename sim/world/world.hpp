@@ -20,8 +20,8 @@ class World {
  public:
   /// Reads an SDF file with box, cylinder, sphere, plane and mesh collisions. `model_paths` are
   /// searched for `model://` and relative URIs after the file's own folder; `caster` casts its
-  /// rays. Throws std::runtime_error that names the file and says what to do if the file is
-  /// missing, broken or without collisions, or if an include or mesh of it is not found. Throws
+  /// rays. Throws std::runtime_error that names the file and says what to do: the file may be
+  /// missing, broken or without collisions, or an include or mesh may be missing. Throws
   /// std::invalid_argument if this build lacks `caster`.
   static World load(const std::string& path, const std::vector<std::string>& model_paths = {},
                     RayCasterKind caster = RayCasterKind::bullet);
