@@ -4,10 +4,13 @@ SHELL := /bin/bash
 .DEFAULT_GOAL := help
 JOBS ?= $(shell nproc)
 GROUP :=
+# Debian's Python, which ROS belongs to, whichever other is in the path.
+PYTHON := -DPYTHON_EXECUTABLE=/usr/bin/python3 -DPython3_EXECUTABLE=/usr/bin/python3
+SANITIZER_OPTIONS := ASAN_OPTIONS=detect_stack_use_after_return=1 UBSAN_OPTIONS=print_stacktrace=1
 
 build: ## install what is needed, configure and build
 	./install_dependencies $(GROUP)
-	cmake -S . -B build -DPYTHON_EXECUTABLE=/usr/bin/python3 -DPython3_EXECUTABLE=/usr/bin/python3
+	cmake -S . -B build $(PYTHON)
 	cmake --build build -j $(JOBS)
 
 test: GROUP = test
@@ -22,16 +25,45 @@ demo: build ## the whole chain in a simulated flat, results in results/loop_clos
 	source build/devel/setup.bash && roslaunch ribbon_mapper loop_closure.launch \
 	  output:=$(CURDIR)/results/loop_closure $(ARGS)
 
-# The real recordings beside the repository, or one folder further up, with their presets.
-recording = $(foreach bag,$(firstword $(wildcard $(addsuffix /shared/data/real/$(1).bag,.. ../..))),\
-  --bag $(bag) --bag-config config/$(2).yaml)
-bench: RECORDINGS = $(call recording,room_scan1,room_scan) $(call recording,room_240,urg04lx)
+# The real recordings with their presets.
+bench: RECORDINGS = --bag test/data/recordings/room_scan1.bag --bag-config config/room_scan.yaml \
+  --bag test/data/recordings/room_240.bag --bag-config config/urg04lx.yaml
 bench: ## speed and memory beside the packaged peers, results in results/bench
 	./install_dependencies bench
 	cmake -S . -B build -DRIBBON_MAPPER_BENCH=ON \
-	  -DPYTHON_EXECUTABLE=/usr/bin/python3 -DPython3_EXECUTABLE=/usr/bin/python3
+	  $(PYTHON)
 	cmake --build build --target bench -j $(JOBS)
 	build/devel/lib/ribbon_mapper/bench $(RECORDINGS) $(ARGS)
+
+# The build is gcc's part: its warnings are errors from the first `make lint` of a build folder on.
+lint: GROUP = test lint
+lint: ## format, names, bug-prone code and warnings of gcc and clang; below a minute if little changed
+	./install_dependencies $(GROUP)
+	tools/lint --format-only
+	cmake -S . -B build -DRIBBON_MAPPER_WERROR=ON $(PYTHON)
+	cmake --build build -j $(JOBS)
+	tools/lint --jobs $(JOBS)
+
+# Not run under the sanitizers: nodes with a ROS master, budgets of instructions and allocations,
+# and what checks text. Eigen's assertions are on: the build type is Debug.
+WITHOUT := rostest|instruction_budget|allocations_test|architecture|documented|house_table|lint_test|pages|commands|ros_files
+UNDEFINED := undefined,float-cast-overflow,float-divide-by-zero
+sanitize: GROUP = test
+sanitize: ## all tests without a ROS master under AddressSanitizer and UBSan, in build/sanitize
+	./install_dependencies $(GROUP)
+	cmake -S . -B build/sanitize -DCMAKE_BUILD_TYPE=Debug \
+	  -DRIBBON_MAPPER_SANITIZE=address,$(UNDEFINED) $(PYTHON)
+	cmake --build build/sanitize -j $(JOBS)
+	$(SANITIZER_OPTIONS) ctest --test-dir build/sanitize -E '$(WITHOUT)' --output-on-failure
+
+# Series of runs and the laser have threads.
+tsan: GROUP = test
+tsan: ## what has threads under ThreadSanitizer, in build/tsan
+	./install_dependencies $(GROUP)
+	cmake -S . -B build/tsan -DCMAKE_BUILD_TYPE=Debug -DRIBBON_MAPPER_SANITIZE=thread $(PYTHON)
+	cmake --build build/tsan -j $(JOBS) --target eval_test sim_test experiment
+	$(SANITIZER_OPTIONS) ctest --test-dir build/tsan --output-on-failure \
+	  -R '^(eval_test|sim_test|series_command_test|sweep_command_test)$$'
 
 clean: ## forget everything that was built
 	rm -rf build devel
@@ -39,4 +71,4 @@ clean: ## forget everything that was built
 help: ## this list
 	@grep -E '^[a-z]+:.*##' Makefile | sed 's/:.*##/\t/'
 
-.PHONY: build test demo bench clean help
+.PHONY: build test demo bench lint sanitize tsan clean help

@@ -42,7 +42,8 @@ std::string read_all(int file) {
   return text;
 }
 
-[[noreturn]] void be_child(const std::function<nlohmann::json()>& work, double limit_s, int file) {
+[[noreturn]] void run_as_child(const std::function<nlohmann::json()>& work, double limit_s,
+                               int file) {
   const auto seconds = static_cast<rlim_t>(limit_s);
   const rlimit limit{seconds, seconds + 5};
   setrlimit(RLIMIT_CPU, &limit);
@@ -70,14 +71,14 @@ double available_mb() { return kernel_mb("/proc/meminfo", "MemAvailable:"); }
 std::optional<ChildResult> run_in_child(const std::function<nlohmann::json()>& work,
                                         double limit_s) {
   int ends[2];
-  if (pipe(ends) != 0) throw std::runtime_error("no pipe to a process of its own");
+  if (pipe(ends) != 0) throw std::runtime_error("cannot create a pipe to a child process");
   std::fflush(stdout);
-  malloc_trim(0);  // memory that is free but kept would hide what the work takes
+  malloc_trim(0);  // free memory that malloc keeps would hide the work's use
   const pid_t child = fork();
-  if (child < 0) throw std::runtime_error("no process of its own: is there memory enough?");
+  if (child < 0) throw std::runtime_error("cannot create a child process: is there enough memory?");
   if (child == 0) {
     close(ends[0]);
-    be_child(work, limit_s, ends[1]);
+    run_as_child(work, limit_s, ends[1]);
   }
   close(ends[1]);
   const std::string text = read_all(ends[0]);

@@ -8,24 +8,28 @@
 
 namespace ribbon_mapper::bench {
 
-/// What came out of work that ran in a process of its own.
+/// Result of work in a child process.
 struct ChildResult {
-  nlohmann::json value;  ///< what the work returned
-  double peak_mb = 0.0;  ///< of the memory, beyond what there was when the work began [MB]
+  nlohmann::json value;  ///< value returned by the work
+  double peak_mb = 0.0;  ///< peak of resident memory above that at the beginning of the work [MB]
 };
 
-/// Runs `work` in a forked process, so that its memory can be measured and what it leaves behind
-/// does not slow others. Nothing if it took more than `limit_s` of CPU time. Throws
-/// std::runtime_error with the reason if it fails otherwise.
+/// Runs `work` in a forked process, so that its memory can be measured and is released afterwards.
+/// Returns nothing if it exceeds `limit_s` of CPU time. Throws std::runtime_error with the reason
+/// if it fails otherwise.
 std::optional<ChildResult> run_in_child(const std::function<nlohmann::json()>& work,
                                         double limit_s);
 
-/// Resident memory of this process: now, and at its peak since reset_peak() [MB].
+/// Returns the resident memory of this process [MB].
 double resident_mb();
+
+/// Returns the peak of the resident memory since reset_peak() [MB].
 double peak_resident_mb();
+
+/// Resets the peak of the resident memory to its current value.
 void reset_peak();
 
-/// What the machine has left for new work [MB].
+/// Returns the memory that is available on this machine [MB].
 double available_mb();
 
 }  // namespace ribbon_mapper::bench

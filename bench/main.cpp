@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 ribbon_mapper authors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Ours beside what a user would take instead: see `bench --help`.
+// Compares our speed, memory and accuracy with those of packaged alternatives; see `bench --help`.
 
 #include <sched.h>
 
@@ -24,19 +24,20 @@ namespace {
 using namespace ribbon_mapper;
 using namespace ribbon_mapper::bench;
 
+/// A section of the report.
 struct Section {
   const char* name;
   void (*measure)(const Inputs&, Report&);
-  bool always = true;  ///< not only when it is asked for
+  bool always = true;  ///< runs even if it is not named
 };
 constexpr Section kSections[] = {{"normals", measure_normals}, {"lines", measure_lines},
                                  {"planes", measure_planes},   {"corrections", measure_corrections},
                                  {"memory", measure_memory},   {"rays", measure_rays},
                                  {"growth", measure_growth},   {"profile", run_for_profile, false}};
 
-constexpr const char* kBags = "bag";  // the section of the recordings
+constexpr const char* kBags = "bag";  // name of the section on recordings
 
-/// One core for all that follows, so that no thread moves and none is added.
+/// Pins the process to one core, so that no peer can use several.
 void pin_to_one_core() {
   cpu_set_t cores;
   CPU_ZERO(&cores);
@@ -47,11 +48,10 @@ void pin_to_one_core() {
 void define_bags(CLI::App& app, Options& options, std::string& tf_drop_frames) {
   app.add_option(
       "--bag", options.bags,
-      "Recordings to be measured as well, each by itself: section \"bag\". Ratios of the "
-      "first are bag_*, of others bag_NAME_*. There is no truth; poses are taken as they "
-      "are recorded");
+      "Bags to measure as well, each in its own section \"bag\". Ratios are named bag_* for the "
+      "first one, bag_NAME_* for others. There is no ground truth; recorded poses count as true");
   app.add_option("--bag-config", options.bag_configs,
-                 "Presets of the bags, in their order [that of --config]");
+                 "Presets of the bags, in the same order [that of --config]");
   add_bag_options(app, options.bag, tf_drop_frames);
 }
 
@@ -59,21 +59,21 @@ void define(CLI::App& app, Options& options) {
   std::set<std::string> names{kBags};
   for (const Section& section : kSections) names.insert(section.name);
   app.add_flag("--quick", options.quick,
-               "A part of each recording, few peers: for a look, not for a table");
-  app.add_option("--only", options.sections, "Only these sections")
+               "Use a part of each recording and few peers; the figures are not representative");
+  app.add_option("--only", options.sections, "Run only these sections")
       ->delimiter(',')
       ->check(CLI::IsMember(names));
-  app.add_option("--output", options.output, "Where bench.json and summary.json go")
+  app.add_option("--output", options.output, "Folder for bench.json, summary.json and cached tours")
       ->capture_default_str();
   app.add_option("--config", options.config, "Preset of the modeler")->capture_default_str();
-  app.add_option("--limit", options.limit_s, "CPU seconds after which a peer is stopped")
+  app.add_option("--limit", options.limit_s, "CPU time after which a peer is stopped [s]")
       ->capture_default_str();
-  app.add_option("--repetitions", options.repetitions, "Of our whole pipelines")
+  app.add_option("--repetitions", options.repetitions, "Repetitions of our pipelines")
       ->check(CLI::Range(1, 100))
       ->capture_default_str();
 }
 
-/// A fifth, but some lines at least.
+/// Keeps a fifth of a recording, but at least 1000 lines.
 void shorten(Recording& recording) {
   const std::size_t lines = recording.lines.size();
   recording = head_of(recording, std::max(lines / 5, std::min<std::size_t>(lines, 1000)));
@@ -81,15 +81,16 @@ void shorten(Recording& recording) {
 
 Inputs inputs_of(const Options& options, const std::string& config, Recording recording) {
   if (options.quick) shorten(recording);
-  return {options, load_config(find_shared(config).string()), std::move(recording)};
+  return {options, load_config(find_installed_file(config).string()), std::move(recording)};
 }
 
 std::vector<Inputs> bags_of(const Options& options) {
   if (options.bag_configs.size() > options.bags.size()) {
-    throw std::runtime_error("there are more --bag-config than --bag");
+    throw std::runtime_error(
+        "there are more --bag-config than --bag: give at most one for each bag");
   }
   if (options.bags.empty() && options.sections.count(kBags) > 0) {
-    throw std::runtime_error("--only bag: which one? give it by --bag FILE");
+    throw std::runtime_error("--only bag needs a bag: add --bag FILE");
   }
   std::vector<Inputs> bags;
   for (std::size_t i = 0; i < options.bags.size(); ++i) {
@@ -103,7 +104,7 @@ std::vector<Inputs> bags_of(const Options& options) {
 
 void run(const Options& options) {
   pin_to_one_core();
-  const std::vector<Inputs> bags = bags_of(options);  // first: what is wrong with one ends it all
+  const std::vector<Inputs> bags = bags_of(options);  // first, as a faulty bag ends the program
   const Inputs tour =
       inputs_of(options, options.config, recording_of(apartment_tour(), options.output));
   Report report;
@@ -119,7 +120,7 @@ void run(const Options& options) {
 
 int main(int argc, char** argv) {
   Options options;
-  CLI::App app{"Speed, memory and accuracy, ours beside the packaged peers, in one run"};
+  CLI::App app{"Measures our speed, memory and accuracy and those of packaged peers in one run"};
   std::string tf_drop_frames;
   define(app, options);
   define_bags(app, options, tf_drop_frames);

@@ -11,7 +11,7 @@
 namespace ribbon_mapper::bench {
 namespace {
 
-/// Collects the time per iteration of each repetition.
+/// Collects the CPU time per iteration of each repetition.
 class Collector : public benchmark::BenchmarkReporter {
  public:
   bool ReportContext(const Context& /*context*/) override { return true; }

@@ -10,14 +10,14 @@
 
 namespace ribbon_mapper::bench {
 
-/// Short pieces of work, timed side by side by Google Benchmark: repetitions of all of them in
-/// random order, so that a slow moment of the machine does not fall on one alone.
+/// Micro-benchmarks timed with Google Benchmark. Repetitions of all of them run in random order, so
+/// that a temporary slowdown of the machine affects all alike.
 class MicroBenchmarks {
  public:
-  /// `items`: how many points, rays, ... one call of `work` deals with.
+  /// Adds a benchmark; one call of `work` processes `items` points, rays or the like.
   void add(const std::string& name, std::size_t items, std::function<void()> work);
 
-  /// Median CPU time per item [ns], by name.
+  /// Runs all benchmarks and returns the median CPU time per item [ns] by name.
   std::map<std::string, double> ns_per_item() const;
 
  private:

@@ -9,12 +9,12 @@
 namespace ribbon_mapper::bench {
 namespace {
 
-/// The profiler tells the stages by the name of the thread.
+/// Names the thread after the stage, which is how the profiler distinguishes stages.
 void enter(const char* stage) { prctl(PR_SET_NAME, stage); }
 
 }  // namespace
 
-/// Work for a profiler (bench/figures/profile.py), nothing to report.
+// The work for bench/figures/profile.py; there is nothing to report.
 void run_for_profile(const Inputs& inputs, Report& /*report*/) {
   const auto truth = true_trajectory(inputs.recording);
   for (int i = 0; i < inputs.options.repetitions; ++i) {

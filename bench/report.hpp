@@ -11,32 +11,36 @@
 
 namespace ribbon_mapper::bench {
 
-/// One line of the table: a piece of work by one of the peers, or by us.
+/// A row of the table: work done by a peer or by us.
 struct Row {
-  std::string section;
-  std::string name;
-  std::optional<double> seconds;      ///< CPU time of the whole work; nothing if it did not finish
-  std::optional<double> ns_per_item;  ///< per point, beam or ray
-  /// Time of this row over ours in the same run: above 1, ours is faster.
+  std::string section;                ///< heading
+  std::string name;                   ///< name of the peer or variant
+  std::optional<double> seconds;      ///< CPU time; empty if the work was stopped
+  std::optional<double> ns_per_item;  ///< CPU time per point, beam or ray
+  /// Ratio to our time in the same run; above 1, we are faster.
   std::optional<double> over_ours;
-  std::optional<double> peak_mb;  ///< memory at its peak beyond that of the input [MB]
-  std::string accuracy;           ///< for the table; in full in `details`
-  nlohmann::json details = nlohmann::json::object();
+  std::optional<double> peak_mb;  ///< peak of memory beyond that of the input
+  std::string accuracy;           ///< text for the table; `details` has the numbers
+  nlohmann::json details = nlohmann::json::object();  ///< numbers for bench.json
 };
 
-/// All rows of a run, and its ratios by name.
+/// Rows and named ratios of a benchmark run.
 class Report {
  public:
+  /// Prints a row and keeps it.
   void add(Row row);
+
+  /// Sets a ratio.
   void set(const std::string& ratio, double value) { summary_[ratio_prefix_ + ratio] = value; }
 
-  /// From now on the names of sections and ratios begin with these: rows of another recording.
+  /// Sets prefixes for the names of subsequent sections and ratios, for example of a bag.
   void begin_with(const std::string& section_prefix, const std::string& ratio_prefix);
 
-  /// bench.json and summary.json, each whole or not at all; sections of an earlier run that this
-  /// one did not measure stay only if `keep_others`. A section is always of one run.
+  /// Writes bench.json and summary.json atomically. Sections of an earlier run that were not
+  /// measured now are kept if `keep_others` is true, otherwise removed.
   void write(const std::filesystem::path& directory, bool keep_others) const;
 
+  /// Formats the ratios for the terminal.
   std::string summary_text() const;
 
  private:
@@ -45,7 +49,7 @@ class Report {
   std::map<std::string, double> summary_;
 };
 
-/// The processor, the compiler and the versions of the peers.
+/// Describes the processor, the compiler and the versions of the peers.
 nlohmann::json machine();
 
 }  // namespace ribbon_mapper::bench

@@ -10,31 +10,33 @@
 
 namespace ribbon_mapper::bench {
 
-/// CPU time of this thread [s]: what others do on the machine does not count.
+/// Returns the CPU time of this thread [s], which other processes do not affect.
 inline double cpu_seconds() {
   timespec now{};
   clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now);
   return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
 }
 
-/// CPU seconds that `work` takes.
+/// Calls `work` and returns its CPU time [s].
 template <typename Work>
-double seconds_of(const Work& work) {
+double cpu_seconds_of(const Work& work) {
   const double start = cpu_seconds();
   work();
   return cpu_seconds() - start;
 }
 
-/// The value that a share of all values does not exceed; 0.5 is the median. There must be values.
+/// Returns the value at a quantile by nearest rank; `share` 0.5 is the median. `values` must not be
+/// empty.
 inline double quantile(std::vector<double> values, double share) {
   const auto rank = static_cast<std::ptrdiff_t>(share * static_cast<double>(values.size() - 1));
   std::nth_element(values.begin(), values.begin() + rank, values.end());
   return values[static_cast<std::size_t>(rank)];
 }
 
+/// Returns the median. `values` must not be empty.
 inline double median(const std::vector<double>& values) { return quantile(values, 0.5); }
 
-/// The compiler must assume that `value` is read.
+/// Prevents the compiler from optimising away the computation of `value`.
 template <typename Value>
 void keep(const Value& value) {
   asm volatile("" : : "g"(&value) : "memory");

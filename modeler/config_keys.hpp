@@ -6,8 +6,8 @@
 
 namespace ribbon_mapper {
 
-/// Every key of the configuration with its allowed range: `visit(name, value, least, most)` for
-/// numbers, `visit(name, value)` for switches. What each is for stands beside its algorithm.
+/// Visits every key of the configuration: `visit(name, value, min, max)` for numbers with their
+/// allowed range, `visit(name, value)` for switches. The config structs explain each value.
 template <typename Config, typename Visitor>
 void visit_keys(Config& config, Visitor& visit) {
   auto& scan = config.scan;
@@ -30,32 +30,50 @@ void visit_keys(Config& config, Visitor& visit) {
   visit("ribbon.min_cluster_area_m2", ribbon.min_cluster_area_m2, 0.0, 10.0);
   visit("ribbon.distance_gap_m", ribbon.distance_gap_m, 1e-3, 10.0);
   visit("ribbon.outlier_sigmas", ribbon.outlier_sigmas, 1.0, 10.0);
-  visit("ribbon.spurious_sigmas", ribbon.spurious_sigmas, 1.0, 100.0);
-  visit("ribbon.spurious_slack_m", ribbon.spurious_slack_m, 0.0, 1.0);
+  visit("ribbon.edge_sigmas", ribbon.edge_sigmas, 1.0, 100.0);
+  visit("ribbon.edge_slack_m", ribbon.edge_slack_m, 0.0, 1.0);
   visit("ribbon.min_grazing_angle_deg", ribbon.min_grazing_angle_deg, 0.0, 90.0);
   visit("ribbon.min_length_m", ribbon.min_length_m, 0.01, 10.0);
   visit("ribbon.min_points", ribbon.min_points, 3, 1000);
   visit("ribbon.sample_length_m", ribbon.sample_length_m, 1e-3, 1.0);
 
-  auto& map = config.map;
-  visit("map.slam.angle_deg", map.slam.angle_deg, 0.1, 45.0);
-  visit("map.slam.distance_m", map.slam.distance_m, 1e-3, 10.0);
-  visit("map.corrected.angle_deg", map.corrected.angle_deg, 0.1, 45.0);
-  visit("map.corrected.distance_m", map.corrected.distance_m, 1e-3, 10.0);
-  visit("map.bridged_gap_m", map.bridged_gap_m, 0.05, 10.0);
-  visit("map.stripe_gap_m", map.stripe_gap_m, 0.01, 10.0);
-  visit("map.max_ribbons", map.max_ribbons, 0, 100'000'000);
-  visit("map.cell_size_m", map.cell_size_m, 0.01, 1.0);
-  visit("map.confirmed_ribbons", map.confirmed_ribbons, 1, 100000);
-  visit("map.confirmed_area_m2", map.confirmed_area_m2, 0.0, 1000.0);
-  visit("map.min_area_m2", map.min_area_m2, 0.0, 1000.0);
-  visit("map.min_radius_m", map.min_radius_m, 0.0, 1000.0);
-  visit("map.flat_within_m", map.flat_within_m, 0.0, 10.0);
-  visit("map.curvature_sigmas", map.curvature_sigmas, 0.0, 100.0);
-  visit("map.on_plane_m", map.on_plane_m, 0.0, 1.0);
-  visit("map.beside_plane_m", map.beside_plane_m, 0.01, 10.0);
+  visit("trajectory.poses_follow", config.trajectory.poses_follow);
+  visit("observations.max_ribbons", config.observations.max_ribbons, 0, 100'000'000);
 
-  visit("correction.poses_follow", config.correction.poses_follow);
+  auto& association = config.association;
+  visit("association.slam.angle_deg", association.slam.angle_deg, 0.1, 45.0);
+  visit("association.slam.distance_m", association.slam.distance_m, 1e-3, 10.0);
+  visit("association.corrected.angle_deg", association.corrected.angle_deg, 0.1, 45.0);
+  visit("association.corrected.distance_m", association.corrected.distance_m, 1e-3, 10.0);
+
+  auto& surface = config.surface;
+  visit("surface.cell_size_m", surface.cell_size_m, 0.01, 1.0);
+  visit("surface.stripe_gap_m", surface.stripe_gap_m, 0.01, 10.0);
+  visit("surface.bridged_gap_m", surface.bridged_gap_m, 0.05, 10.0);
+
+  auto& assembly = config.assembly;
+  visit("assembly.min_ribbons", assembly.min_ribbons, 1, 100000);
+  visit("assembly.min_area_as_built_m2", assembly.min_area_as_built_m2, 0.0, 1000.0);
+  visit("assembly.min_area_m2", assembly.min_area_m2, 0.0, 1000.0);
+  visit("assembly.min_radius_m", assembly.min_radius_m, 0.0, 1000.0);
+  visit("assembly.flat_within_m", assembly.flat_within_m, 0.0, 10.0);
+  visit("assembly.curvature_sigmas", assembly.curvature_sigmas, 0.0, 100.0);
+  visit("assembly.on_plane_m", assembly.on_plane_m, 0.0, 1.0);
+  visit("assembly.beside_plane_m", assembly.beside_plane_m, 0.01, 10.0);
+
+  auto& registration = config.registration;
+  visit("registration.enabled", registration.enabled);
+  visit("registration.rounds", registration.rounds, 1, 100);
+  visit("registration.passes_per_round", registration.passes_per_round, 1, 100);
+  visit("registration.adjustments_per_round", registration.adjustments_per_round, 0, 100);
+  visit("registration.min_ribbons", registration.min_ribbons, 1, 100000);
+  visit("registration.shared_sigma_ratio", registration.shared_sigma_ratio, 0.0, 10.0);
+  visit("registration.max_tilt_across_deg", registration.max_tilt_across_deg, 0.1, 60.0);
+  visit("registration.max_chi_square", registration.max_chi_square, 0.1, 1000.0);
+  visit("registration.min_chi_square_lead", registration.min_chi_square_lead, 0.0, 1000.0);
+  visit("registration.robust_sigmas", registration.robust_sigmas, 0.1, 100.0);
+  visit("registration.start_gate_ratio", registration.start_gate_ratio, 0.0, 10.0);
+  visit("registration.final_gate_ratio", registration.final_gate_ratio, 0.0, 10.0);
 }
 
 }  // namespace ribbon_mapper

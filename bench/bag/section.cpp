@@ -11,14 +11,14 @@ void require_ribbons(const Inputs& bag) {
   Modeler modeler(bag.config);
   feed(bag.recording, modeler);
   if (modeler.statistics().ribbons > 0) return;
-  throw std::runtime_error("no ribbon in the bag " + bag.recording.name +
-                           ": is its preset (--bag-config) one for its laser?");
+  throw std::runtime_error("the bag " + bag.recording.name +
+                           " yields no ribbons: does its preset (--bag-config) fit its laser?");
 }
 
 void measure_bags(const std::vector<Inputs>& bags, Report& report) {
   for (const Inputs& bag : bags) {
     const std::string& name = bag.recording.name;
-    // The ratios of the first one have the short names.
+    // Ratios of the first bag have short names.
     report.begin_with("a recorded bag, " + name + ": ",
                       &bag == &bags.front() ? "bag_" : "bag_" + name + "_");
     measure_recorded_lines(bag, report);

@@ -12,8 +12,9 @@ namespace {
 
 constexpr double kVoxel_m = 0.05;
 
+/// A scan in OctoMap's types.
 struct Node {
-  octomap::Pointcloud cloud;  // about the laser, axes of the base
+  octomap::Pointcloud cloud;  // origin at the laser, axes of the base
   octomap::pose6d T_map_node;
 };
 
@@ -49,7 +50,7 @@ OctomapResult rebuild_octomap(const Recording& tour, const ScanConfig& config,
   const bool fast = insertion == Insertion::fast;
   octomap::OcTree tree(kVoxel_m);
   OctomapResult result;
-  result.seconds = seconds_of([&] {
+  result.seconds = cpu_seconds_of([&] {
     for (const Node& node : nodes) {
       tree.insertPointCloud(node.cloud, octomap::point3d(0.0F, 0.0F, 0.0F), node.T_map_node, -1.0,
                             fast, fast);

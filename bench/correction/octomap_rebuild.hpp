@@ -9,20 +9,21 @@
 
 namespace ribbon_mapper::bench {
 
-/// How the scans go into the tree.
+/// Modes of inserting scans into the tree.
 enum class Insertion {
-  as_documented,  ///< insertPointCloud() as it comes
-  fast,           ///< points of one voxel once, inner nodes at the end
+  as_documented,  ///< insertPointCloud() with default arguments
+  fast,           ///< one point per voxel, inner nodes updated at the end
 };
 
+/// Result of rebuilding an OctoMap.
 struct OctomapResult {
-  double seconds = 0.0;        ///< from new poses to a consistent tree
+  double seconds = 0.0;        ///< CPU time from new poses to a consistent tree
   std::size_t tree_bytes = 0;  ///< OcTree::memoryUsage()
-  std::size_t leaves = 0;
+  std::size_t leaves = 0;      ///< number of leaf nodes
 };
 
-/// A tree of 5 cm, rebuilt from the lines at their true poses. The lines are nodes in the laser's
-/// frame, de-skewed before.
+/// Builds a tree with voxels of 5 cm from all lines at their true poses. The lines are de-skewed
+/// beforehand.
 OctomapResult rebuild_octomap(const Recording& tour, const ScanConfig& config, Insertion insertion);
 
 }  // namespace ribbon_mapper::bench

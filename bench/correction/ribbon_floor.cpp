@@ -8,9 +8,9 @@ namespace ribbon_mapper::bench {
 
 RibbonFloor::RibbonFloor(const Modeler& modeler) {
   for (const Ribbon& ribbon : modeler.ribbons()) {
-    const double w = ribbon.spread.weight();
-    const Eigen::Vector3d mean = ribbon.spread.mean(), sum = w * mean;
-    const Eigen::Matrix3d m = w * (ribbon.spread.covariance() + mean * mean.transpose());
+    const double w = ribbon.moments.weight();
+    const Eigen::Vector3d mean = ribbon.moments.mean(), sum = w * mean;
+    const Eigen::Matrix3d m = w * (ribbon.moments.covariance() + mean * mean.transpose());
     const auto first = static_cast<std::uint32_t>(sample_points_.size());
     const PosedRibbon here(ribbon, Pose::Identity());
     ribbon.samples.for_each([&](float along_m, float height_m, std::uint32_t) {

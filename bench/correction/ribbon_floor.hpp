@@ -10,17 +10,20 @@
 
 namespace ribbon_mapper::bench {
 
-/// What no correction can do without: moving the statistics and the samples of every ribbon once to
-/// where its acquisition pose is now. Packed as tightly as can be.
+/// Lower bound of the work of any correction: transforms moments and samples of every ribbon once
+/// by its acquisition pose. All data are packed tightly.
 class RibbonFloor {
  public:
-  /// The ribbons of a model.
+  /// Copies the ribbons of a model.
   explicit RibbonFloor(const Modeler& modeler);
 
+  /// Returns the number of ribbons.
   std::size_t ribbons() const { return sources_.size(); }
+
+  /// Returns the number of samples.
   std::size_t samples() const { return sample_points_.size(); }
 
-  /// The work itself; the trajectory is that of the model.
+  /// Transforms all ribbons by the model's trajectory.
   void move(const std::vector<StampedPose>& trajectory);
 
  private:

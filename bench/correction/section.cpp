@@ -22,14 +22,14 @@ nlohmann::json judged(const std::vector<Plane>& planes, const Recording& tour) {
   return to_json(eval::compare_maps(eval::patches_of(planes), tour.truth));
 }
 
-/// A model of the whole tour with believed poses takes over the true ones.
+/// Models the whole tour with noisy poses, then corrects it by the true ones.
 nlohmann::json our_correction(const Inputs& inputs) {
   Modeler modeler(inputs.config);
   feed(inputs.recording, modeler);
   const auto truth = true_trajectory(inputs.recording);
   std::vector<Plane> planes;
-  const double correct_s = seconds_of([&] { modeler.correct(truth); });
-  const double planes_s = seconds_of([&] { planes = modeler.planes(); });
+  const double correct_s = cpu_seconds_of([&] { modeler.correct(truth); });
+  const double planes_s = cpu_seconds_of([&] { planes = modeler.planes(); });
   return {{"correct_s", correct_s},
           {"planes_s", planes_s},
           {"seconds", correct_s + planes_s},
@@ -37,14 +37,14 @@ nlohmann::json our_correction(const Inputs& inputs) {
           {"metrics", judged(planes, inputs.recording)}};
 }
 
-/// The same planes from the raw lines: the gates are those of corrected poses from the start.
+/// Models the tour from scratch with true poses and the gates for corrected poses.
 nlohmann::json our_rebuild(const Inputs& inputs) {
   ModelerConfig config = inputs.config;
-  config.map.slam = config.map.corrected;
+  config.association.slam = config.association.corrected;
   std::vector<LinePoses> poses;
   for (const RecordedLine& line : inputs.recording.lines) poses.push_back(with_true_pose(line));
   std::vector<Plane> planes;
-  const double seconds = seconds_of([&] {
+  const double seconds = cpu_seconds_of([&] {
     Modeler modeler(config);
     for (std::size_t i = 0; i < poses.size(); ++i) {
       modeler.add_scan_line(inputs.recording.lines[i].beams, poses[i]);
@@ -60,20 +60,20 @@ nlohmann::json octomap(const Inputs& inputs, Insertion insertion) {
       {"seconds", result.seconds}, {"tree_bytes", result.tree_bytes}, {"leaves", result.leaves}};
 }
 
-/// A peer over all points at their true poses; placing them is part of it.
+/// Runs a peer on all points at their true poses; placing the points is included.
 nlohmann::json on_voxels(const Inputs& inputs, const PlanesPeer& peer) {
   TourCloud cloud;
   std::vector<Points> planes;
-  const double seconds = seconds_of([&] {
-    cloud = cloud_of(inputs.recording, inputs.config.scan, Poses::true_ones);
+  const double seconds = cpu_seconds_of([&] {
+    cloud = cloud_of(inputs.recording, inputs.config.scan, Poses::truth);
     planes = peer.planes_of(voxel_grid(cloud.points, 0.04F));
   });
   return {{"seconds", seconds},
           {"metrics",
-           judged(bounded_planes(planes, ViewField(cloud), inputs.config.map), inputs.recording)}};
+           judged(bounded_planes(planes, ViewField(cloud), inputs.config), inputs.recording)}};
 }
 
-/// Median of some runs in processes of their own; nothing if one did not finish.
+/// Returns the median of several runs in child processes, or nothing if one exceeds the limit.
 std::optional<ChildResult> median_run(const std::function<nlohmann::json()>& work, int repetitions,
                                       double limit_s) {
   std::vector<ChildResult> runs;
@@ -92,7 +92,7 @@ class Section {
  public:
   Section(const Inputs& inputs, Report& report) : inputs_(inputs), report_(report) {}
 
-  /// Adds a row, returns its seconds: the limit's if it did not finish.
+  /// Runs the work, adds a row and returns its CPU time, or the limit if it was stopped.
   double add(const std::string& name, const std::function<nlohmann::json()>& work,
              int repetitions = 1) {
     const double limit_s = inputs_.options.limit_s;
@@ -129,12 +129,12 @@ double floor_s(const Inputs& inputs, Report& report) {
   RibbonFloor floor(modeler);
   std::vector<double> seconds;
   for (int i = 0; i < 21; ++i) {
-    seconds.push_back(seconds_of([&] { floor.move(modeler.trajectory()); }));
+    seconds.push_back(cpu_seconds_of([&] { floor.move(modeler.trajectory()); }));
   }
   char text[96];
   std::snprintf(text, sizeof text, "%zu ribbons, %zu samples", floor.ribbons(), floor.samples());
   report.add({kSection,
-              "the floor: every ribbon's moments and samples moved once",
+              "lower bound: every ribbon's moments and samples moved once",
               median(seconds),
               {},
               {},
@@ -158,7 +158,7 @@ void measure_corrections(const Inputs& inputs, Report& report) {
   report.set("correction_over_floor", ours_s / floor_s(inputs, report));
   report.set("correction_vs_rebuild",
              section.add(
-                 "ours, rebuilt from raw lines", [&] { return our_rebuild(inputs); },
+                 "ours, rebuilt from all lines", [&] { return our_rebuild(inputs); },
                  std::min(3, repetitions)) /
                  ours_s);
   const double fast_s = section.add("OctoMap 5 cm, insertPointCloud, lazy and discretised",
@@ -177,7 +177,7 @@ void measure_corrections(const Inputs& inputs, Report& report) {
 }
 
 void measure_memory(const Inputs& inputs, Report& report) {
-  double area_m2 = 0.0;  // none of a bag, of which there is no truth
+  double area_m2 = 0.0;  // stays 0 for bags, which have no ground truth
   for (const eval::Patch& patch : inputs.recording.truth) area_m2 += patch.area_m2;
   const auto add = [&](const std::string& name, double bytes, const std::string& text) {
     char details[160], per_m2[48] = "";

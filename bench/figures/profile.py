@@ -1,7 +1,7 @@
 #!/usr/bin/python3
 # SPDX-FileCopyrightText: 2026 ribbon_mapper authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""Where the time of a tour goes: samples `bench --only profile` with perf, draws the functions."""
+"""Samples `bench --only profile` with perf and draws the functions that take the most time."""
 import argparse
 import collections
 import re
@@ -14,11 +14,11 @@ from matplotlib import pyplot  # noqa: E402
 
 STAGES = {'lines': 'lines: points to associated ribbons', 'correct': 'correct()',
           'planes': 'planes(), cells included'}
-SHOWN = 9  # functions of a stage
+SHOWN = 9  # number of functions per stage
 
 
 def sampled(program, output, data):
-    """Shares of all samples by stage and function."""
+    """Returns the shares of all samples by stage and function."""
     subprocess.run(['perf', 'record', '-q', '-e', 'cpu-clock', '-F', '2000', '-o', data, program,
                     '--only', 'profile', '--output', output], check=True, stdout=subprocess.DEVNULL)
     text = subprocess.run(['perf', 'report', '-i', data, '--stdio', '--percent-limit', '0',
@@ -34,7 +34,7 @@ def sampled(program, output, data):
 
 
 def short(symbol):
-    """A function without its namespace and arguments; what the kernel does is one."""
+    """Returns a function's name without namespace and arguments; all of the kernel is one."""
     kind, name = re.match(r'\[(.)\]\s*(.*)', symbol).groups()
     if kind == 'k':
         return 'kernel: fresh memory pages'
@@ -47,7 +47,7 @@ def short(symbol):
 
 
 def draw(stages, picture):
-    """One panel for each stage, in shares of its own time."""
+    """Draws a panel for each stage, in shares of its own time."""
     whole = sum(sum(functions.values()) for functions in stages.values())
     figure, panels = pyplot.subplots(1, len(STAGES), figsize=(15, 4.2))
     for panel, (stage, title) in zip(panels, STAGES.items()):
@@ -67,8 +67,8 @@ def draw(stages, picture):
 
 def main():
     parser = argparse.ArgumentParser(description=__doc__)
-    parser.add_argument('program', help='bench as built')
-    parser.add_argument('--output', default='results/bench', help='where the tours are kept')
+    parser.add_argument('program', help='the built bench')
+    parser.add_argument('--output', default='results/bench', help='folder with the cached tours')
     parser.add_argument('--picture', default='docs/profile.png')
     arguments = parser.parse_args()
     with tempfile.NamedTemporaryFile() as data:

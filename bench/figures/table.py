@@ -1,14 +1,14 @@
 #!/usr/bin/python3
 # SPDX-FileCopyrightText: 2026 ribbon_mapper authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""Puts the rows of bench.json into docs/performance.md, between its two markers."""
+"""Inserts the rows of bench.json into docs/performance.md between its two markers."""
 import argparse
 import json
 import pathlib
 
 BEGIN, END = '<!-- rows: by bench/figures/table.py -->', '<!-- end of rows -->'
 
-# The bars: name, what it is held to, true if a larger value is better.
+# Name of a ratio, its bar (a number or another ratio), and whether larger values are better.
 BARS = [
     ('normals_vs_pcl', 20, True), ('normals_per_eigen', 2, False),
     ('line_per_eigen', 2, False), ('line_p999_over_median', 8, False),
@@ -21,7 +21,7 @@ BARS = [
     ('correction_tenth_over_all', 0.2, False),
     ('memory_vs_octomap', 0.1, False), ('memory_vs_raw', 1, False),
     ('rays_vs_raytest', None, True), ('rays_embree_vs_bullet', None, True),
-    # A recorded bag, without a bar of its own.
+    # Ratios of a recorded bag, without bars.
     ('bag_line_per_eigen', None, False), ('bag_normals_vs_pcl', None, True),
     ('bag_planes_vs_best_raw_peer', None, True), ('bag_planes_vs_best_voxel_peer', None, True),
     ('bag_memory_vs_octomap', None, False), ('bag_memory_vs_raw', None, False),
@@ -42,7 +42,7 @@ def cell(value, digits=3):
 
 
 def bars_table(summary):
-    """Each ratio beside what it is held to."""
+    """Returns the table of ratios and their bars."""
     lines = ['| ratio | measured | bar | |', '|---|---|---|---|']
     for name, bar, larger in BARS:
         if name not in summary:

@@ -38,7 +38,7 @@ LineTimes feed(const Recording& tour, Modeler& modeler) {
   for (const RecordedLine& line : tour.lines) {
     LineResult result = LineResult::malformed;
     times.lines.push_back(
-        seconds_of([&] { result = modeler.add_scan_line(line.beams, line.poses); }));
+        cpu_seconds_of([&] { result = modeler.add_scan_line(line.beams, line.poses); }));
     times.results.push_back(result);
   }
   return times;

@@ -11,17 +11,21 @@ namespace ribbon_mapper::bench {
 
 /// CPU time of each line of a tour [s].
 struct LineTimes {
-  std::vector<double> lines;        ///< all that were given to the modeler
-  std::vector<LineResult> results;  ///< what became of each
+  std::vector<double> lines;        ///< time of each line
+  std::vector<LineResult> results;  ///< result of each line
+
+  /// Returns the sum over all lines.
   double total_s() const;
-  std::vector<double> modelled() const;  ///< of those that entered the model
+
+  /// Returns the times of those lines that entered the model.
+  std::vector<double> modelled() const;
 };
 
-/// Feeds a whole tour, with the poses that the robot believed.
+/// Feeds a whole tour with noisy poses to the modeler and returns the times.
 LineTimes feed(const Recording& tour, Modeler& modeler);
 
-/// Several times; of each line the median over the repetitions, so that what interrupts one of them
-/// does not count.
+/// Feeds a tour several times to new modelers. Returns the median time of each line over the
+/// repetitions, which excludes interruptions.
 LineTimes median_line_times(const Recording& tour, const ModelerConfig& config, int repetitions);
 
 }  // namespace ribbon_mapper::bench

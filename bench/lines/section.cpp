@@ -13,12 +13,12 @@ namespace {
 
 const std::string kSection = "lines, points to associated ribbons";
 
-/// Times per beam [ns]: of all lines, and of those that entered the model (a laser that stands
-/// still has many others, which cost less).
+/// Times per valid beam. Lines that do not enter the model are cheap, and many if the laser rests.
 struct BeamTimes {
-  double all_ns = 0.0, modelled_ns = 0.0;
-  std::size_t beams = 0;
+  double all_ns = 0.0, modelled_ns = 0.0;  ///< of all lines, and of those that entered the model
+  std::size_t beams = 0;                   ///< number of valid beams
 };
+
 BeamTimes beam_times_of(const Recording& recording, const ScanConfig& config,
                         const LineTimes& times) {
   const std::vector<std::size_t> returns = returns_of(recording, config);
@@ -64,10 +64,10 @@ Row row_of(const Recording& recording, const ScanConfig& config, const LineTimes
   return row;
 }
 
-/// The unit: measured before and after `work`, as the machine's moods hit both.
+/// Returns the unit [ns], measured before and after `work` because the machine's speed may vary.
 template <typename Work>
 double solve_ns_around(const Inputs& inputs, const Work& work) {
-  const auto covariances = covariances_of(sample_buffers(inputs.recording, inputs.config, 16));
+  const auto covariances = covariances_of(sample_lines(inputs.recording, inputs.config, 16));
   std::vector<double> solves;
   const auto solve = [&] { solves.push_back(eigen_solve_ns(covariances)); };
   for (int i = 0; i < 20; ++i) solve();
@@ -76,7 +76,7 @@ double solve_ns_around(const Inputs& inputs, const Work& work) {
   return median(solves);
 }
 
-/// Returns the unit [ns].
+/// Adds the rows of a recording and returns the unit [ns].
 double measure_own_lines(const Inputs& inputs, const std::string& factor, Report& report) {
   LineTimes times;
   const double solve_ns = solve_ns_around(inputs, [&] {

@@ -17,18 +17,16 @@ using PointWithNormal = std::pair<Kernel::Point_3, Kernel::Vector_3>;
 
 struct Sample {
   std::vector<PointWithNormal> points;
-  std::vector<int> of_beam;  // of the middle line
+  std::vector<int> of_beam;  // index of each beam of the middle line, -1 for no return
 };
 
-Sample converted(const ThreeLines& lines) {
+Sample converted(const NormalsInput& lines) {
   Sample sample;
-  sample.of_beam.assign(lines.buffer.middle().size(), -1);
-  for (const ScanLine* line :
-       {&lines.buffer.previous(), &lines.buffer.middle(), &lines.buffer.next()}) {
+  sample.of_beam.assign(lines.middle().size(), -1);
+  for (const ScanLine* line : {&lines.lines[0], &lines.lines[1], &lines.lines[2]}) {
     for (std::size_t i = 0; i < line->size(); ++i) {
       if (!line->has_return(i)) continue;
-      if (line == &lines.buffer.middle())
-        sample.of_beam[i] = static_cast<int>(sample.points.size());
+      if (line == &lines.middle()) sample.of_beam[i] = static_cast<int>(sample.points.size());
       const Eigen::Vector3d& p = line->points[i];
       sample.points.push_back({{p.x(), p.y(), p.z()}, {0.0, 0.0, 0.0}});
     }
@@ -38,11 +36,11 @@ Sample converted(const ThreeLines& lines) {
 
 }  // namespace
 
-std::vector<NormalsPeer> cgal_normals(const std::vector<ThreeLines>& lines) {
+std::vector<NormalsPeer> cgal_normals(const std::vector<NormalsInput>& lines) {
   auto samples = std::make_shared<std::vector<Sample>>();
   NormalsPeer peer;
   peer.name = "CGAL::pca_estimate_normals k 30, every point";
-  for (const ThreeLines& sample : lines) {
+  for (const NormalsInput& sample : lines) {
     samples->push_back(converted(sample));
     peer.normals += samples->back().points.size();
   }

@@ -13,27 +13,37 @@
 
 namespace ribbon_mapper::bench {
 
-/// A way to estimate the normals of the middle of three lines.
+/// A method that estimates the normals of the middle one of three lines.
 struct NormalsPeer {
-  std::string name;
-  /// Does the work on all samples, from points to normals; their conversion is not part of it.
+  std::string name;  ///< for the report
+  /// Estimates the normals of all samples from points that are converted already.
   std::function<void()> run;
-  std::size_t normals = 0;  ///< that one run estimates
-  /// Of sample s at beam b, after a run, as far as there is one: in odom, either side. NaN if not.
+  std::size_t normals = 0;  ///< number of normals that one run estimates
+  /// Returns the normal of a sample at a beam after a run, in odom and with either sign; NaN if
+  /// there is none.
   std::function<Eigen::Vector3d(std::size_t sample, std::size_t beam)> normal_at;
 };
 
+/// Returns the value that stands for no normal: NaN.
 inline Eigen::Vector3d no_normal() {
   return Eigen::Vector3d::Constant(std::numeric_limits<double>::quiet_NaN());
 }
 
-// All peers are given the same three lines. They must outlive what is returned.
-std::vector<NormalsPeer> our_normals(const std::vector<ThreeLines>& samples,
+// All peers get the same samples, which must outlive the returned peers.
+
+/// Returns our method.
+std::vector<NormalsPeer> our_normals(const std::vector<NormalsInput>& samples,
                                      const ModelerConfig& config);
-/// Within a radius of the neighbourhood [m], of twice that, of 30 points; and without a search.
-std::vector<NormalsPeer> pcl_normals(const std::vector<ThreeLines>& samples,
+
+/// Returns PCL's estimation with different neighbourhoods: radius `neighbourhood_m` and twice that,
+/// 30 nearest points, and our own neighbours without a search.
+std::vector<NormalsPeer> pcl_normals(const std::vector<NormalsInput>& samples,
                                      double neighbourhood_m);
-std::vector<NormalsPeer> pcl_integral_image_normals(const std::vector<ThreeLines>& samples);
-std::vector<NormalsPeer> cgal_normals(const std::vector<ThreeLines>& samples);
+
+/// Returns PCL's estimation on an organised image of three rows.
+std::vector<NormalsPeer> pcl_integral_image_normals(const std::vector<NormalsInput>& samples);
+
+/// Returns CGAL's estimation with 30 nearest points.
+std::vector<NormalsPeer> cgal_normals(const std::vector<NormalsInput>& samples);
 
 }  // namespace ribbon_mapper::bench

@@ -8,8 +8,8 @@
 namespace ribbon_mapper::bench {
 namespace {
 
-/// The running sums over a line are made while its beams are placed; they belong to the normals.
-/// Each line is summed once, though it serves three buffers.
+/// Computes running sums over a line. The modeler does this while placing beams, once per line
+/// although each line is used in three buffers; it is part of the normals' cost.
 void sum_up(const ScanLine& line, std::vector<Moments>& before) {
   Moments sum;
   before.resize(line.size() + 1);
@@ -22,18 +22,18 @@ void sum_up(const ScanLine& line, std::vector<Moments>& before) {
 
 }  // namespace
 
-std::vector<NormalsPeer> our_normals(const std::vector<ThreeLines>& samples,
+std::vector<NormalsPeer> our_normals(const std::vector<NormalsInput>& samples,
                                      const ModelerConfig& config) {
   NormalsPeer peer;
   peer.name = "ours: running sums and normals";
-  for (const ThreeLines& sample : samples) peer.normals += sample.surfels.size();
+  for (const NormalsInput& sample : samples) peer.normals += sample.surfels.size();
   auto surfels = std::make_shared<std::vector<Surfel>>();
   auto sums = std::make_shared<std::vector<Moments>>();
   peer.run = [&samples, config, surfels, sums] {
-    for (const ThreeLines& sample : samples) {
-      sum_up(sample.buffer.middle(), *sums);
+    for (const NormalsInput& sample : samples) {
+      sum_up(sample.middle(), *sums);
       keep(sums->data());
-      estimate_surfels(sample.buffer, config.scan, config.ribbon, *surfels);
+      estimate_surfels(sample.three_lines(), config.scan, config.ribbon, *surfels);
       keep(surfels->data());
     }
   };

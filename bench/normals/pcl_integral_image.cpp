@@ -19,14 +19,14 @@ struct Sample {
   pcl::PointCloud<pcl::Normal> normals;
 };
 
-/// In an optical frame, as this class expects: depth is z, and its tolerance grows with it.
-Sample converted(const ThreeLines& lines) {
-  const ScanLine& middle = lines.buffer.middle();
+/// Converts lines to an image in an optical frame with z as depth, as PCL's class expects.
+Sample converted(const NormalsInput& lines) {
+  const ScanLine& middle = lines.middle();
   const Eigen::Vector3d origin = middle.origin(middle.size() / 2);
   const Eigen::Quaterniond to_optical = Eigen::Quaterniond::FromTwoVectors(
       middle.directions[middle.size() / 2], Eigen::Vector3d::UnitZ());
   Sample sample;
-  for (const ScanLine* line : {&lines.buffer.previous(), &middle, &lines.buffer.next()}) {
+  for (const ScanLine* line : {&lines.lines[0], &middle, &lines.lines[2]}) {
     for (std::size_t i = 0; i < line->size(); ++i) {
       const Eigen::Vector3f p = (to_optical * (line->points[i] - origin)).cast<float>();
       const float none = std::numeric_limits<float>::quiet_NaN();
@@ -42,11 +42,11 @@ Sample converted(const ThreeLines& lines) {
 
 }  // namespace
 
-std::vector<NormalsPeer> pcl_integral_image_normals(const std::vector<ThreeLines>& lines) {
+std::vector<NormalsPeer> pcl_integral_image_normals(const std::vector<NormalsInput>& lines) {
   auto samples = std::make_shared<std::vector<Sample>>();
   NormalsPeer peer;
   peer.name = "pcl::IntegralImageNormalEstimation, 3 x N";
-  for (const ThreeLines& sample : lines) {
+  for (const NormalsInput& sample : lines) {
     samples->push_back(converted(sample));
     peer.normals += samples->back().image->size();
   }
@@ -57,15 +57,15 @@ std::vector<NormalsPeer> pcl_integral_image_normals(const std::vector<ThreeLines
       estimation.setBorderPolicy(estimation.BORDER_POLICY_MIRROR);
       estimation.setMaxDepthChangeFactor(0.05F);
       estimation.setDepthDependentSmoothing(false);
-      estimation.setNormalSmoothingSize(3.0F);  // a larger square reaches out of the three rows
-      // It never searches; the default search would fit a camera to the image first.
+      estimation.setNormalSmoothingSize(3.0F);  // a larger window exceeds the three rows
+      // No search takes place, but the default one would fit a camera to the image first.
       estimation.setSearchMethod(std::make_shared<pcl::search::BruteForce<pcl::PointXYZ>>());
       estimation.setInputCloud(sample.image);
       estimation.compute(sample.normals);
     }
   };
   peer.normal_at = [samples, &lines](std::size_t s, std::size_t beam) -> Eigen::Vector3d {
-    const ScanLine& middle = lines[s].buffer.middle();
+    const ScanLine& middle = lines[s].middle();
     const Eigen::Quaterniond to_optical = Eigen::Quaterniond::FromTwoVectors(
         middle.directions[middle.size() / 2], Eigen::Vector3d::UnitZ());
     const auto& normal = (*samples)[s].normals[middle.size() + beam];

@@ -15,12 +15,12 @@ namespace {
 
 using Cloud = pcl::PointCloud<pcl::PointXYZ>;
 
-/// The three lines as PCL has them, about the sensor: floats far from the origin lose millimetres.
+/// Three lines in PCL's types, relative to the sensor: floats far from the origin lose millimetres.
 struct Sample {
   Cloud::Ptr three = std::make_shared<Cloud>();    // all returns
-  Cloud::Ptr queries = std::make_shared<Cloud>();  // where our surfels are: their beams' points
+  Cloud::Ptr queries = std::make_shared<Cloud>();  // points of our surfels' beams
   Cloud::Ptr middle = std::make_shared<Cloud>();   // all returns of the middle line
-  std::vector<pcl::Indices> neighbours;            // of the queries, by our own lists
+  std::vector<pcl::Indices> neighbours;            // of each query, as in our method
   std::vector<int> query_of_beam;
   pcl::PointCloud<pcl::Normal> normals;  // of the queries
 };
@@ -30,28 +30,27 @@ pcl::PointXYZ to_pcl(const Eigen::Vector3d& point, const Eigen::Vector3d& origin
   return {p.x(), p.y(), p.z()};
 }
 
-Sample converted(const ThreeLines& lines) {
+Sample converted(const NormalsInput& lines) {
   Sample sample;
-  const Eigen::Vector3d origin = lines.buffer.middle().first_origin;
-  std::vector<std::vector<int>> index;  // of each line's beams in `three`
-  for (const ScanLine* line :
-       {&lines.buffer.previous(), &lines.buffer.middle(), &lines.buffer.next()}) {
+  const Eigen::Vector3d origin = lines.middle().first_origin;
+  std::vector<std::vector<int>> index;  // by line: index of each beam in `three`
+  for (const ScanLine* line : {&lines.lines[0], &lines.lines[1], &lines.lines[2]}) {
     index.emplace_back(line->size(), -1);
     for (std::size_t i = 0; i < line->size(); ++i) {
       if (!line->has_return(i)) continue;
       index.back()[i] = static_cast<int>(sample.three->size());
       sample.three->push_back(to_pcl(line->points[i], origin));
-      if (line == &lines.buffer.middle()) sample.middle->push_back(sample.three->back());
+      if (line == &lines.middle()) sample.middle->push_back(sample.three->back());
     }
   }
-  sample.query_of_beam.assign(lines.buffer.middle().size(), -1);
-  std::vector<Neighbourhood> around(lines.buffer.middle().size());
+  sample.query_of_beam.assign(lines.middle().size(), -1);
+  std::vector<BeamRange> around(lines.middle().size());
   for (std::size_t k = 0; k < lines.beams.size(); ++k) around[lines.beams[k]] = lines.around[k];
   for (const Surfel& surfel : lines.surfels) {
     sample.query_of_beam[surfel.beam] = static_cast<int>(sample.queries->size());
-    sample.queries->push_back(to_pcl(lines.buffer.middle().points[surfel.beam], origin));
+    sample.queries->push_back(to_pcl(lines.middle().points[surfel.beam], origin));
     pcl::Indices& list = sample.neighbours.emplace_back();
-    const Neighbourhood& near = around[surfel.beam];
+    const BeamRange& near = around[surfel.beam];
     for (const auto& line : index) {
       for (std::size_t i = near.begin; i < near.end; ++i) {
         if (line[i] >= 0) list.push_back(line[i]);
@@ -72,7 +71,8 @@ std::function<Eigen::Vector3d(std::size_t, std::size_t)> reader(const Samples& s
   };
 }
 
-/// `points`: which of a sample's clouds is asked about, with the three lines as search surface.
+/// Returns a peer that estimates normals at the cloud `points` of each sample, with the three lines
+/// as search surface.
 NormalsPeer with_search(const std::string& name, const Samples& samples, Cloud::Ptr Sample::*points,
                         double radius_m, int neighbours) {
   NormalsPeer peer;
@@ -116,11 +116,12 @@ NormalsPeer without_search(const Samples& samples) {
 
 }  // namespace
 
-std::vector<NormalsPeer> pcl_normals(const std::vector<ThreeLines>& lines, double neighbourhood_m) {
-  // One copy for each: the normals of the last run are read from it.
+std::vector<NormalsPeer> pcl_normals(const std::vector<NormalsInput>& lines,
+                                     double neighbourhood_m) {
+  // Each peer has its own copy, which holds the normals of its last run.
   const auto copy = [&lines] {
     auto samples = std::make_shared<std::vector<Sample>>();
-    for (const ThreeLines& sample : lines) samples->push_back(converted(sample));
+    for (const NormalsInput& sample : lines) samples->push_back(converted(sample));
     return samples;
   };
   const auto within = [&copy](double radius_m, Cloud::Ptr Sample::*points, const char* which) {

@@ -13,24 +13,24 @@
 #include "bench/normals/normals_peer.hpp"
 #include "bench/sections.hpp"
 #include "bench/stopwatch.hpp"
+#include "modeler/geometry/angles.hpp"
 
 namespace ribbon_mapper::bench {
 namespace {
 
-constexpr double kDegrees = 180.0 / 3.14159265358979323846;
-
-/// Of a place where we have a normal, the normal in map that all are held against.
+/// Function that returns the reference normal in map at one of our surfels, if there is one.
 using Reference =
-    std::function<std::optional<Eigen::Vector3d>(const ThreeLines& lines, const Surfel& surfel)>;
+    std::function<std::optional<Eigen::Vector3d>(const NormalsInput& lines, const Surfel& surfel)>;
 
-/// The truth, on flat faces. Without a truth ours: then it is but the angle between both.
+/// Returns the truth on planar faces as reference, or our normals if there is no truth. In the
+/// latter case errors are merely differences from our normals.
 Reference reference_of(const Recording& recording) {
   if (recording.face_normals.empty()) {
-    return [](const ThreeLines& lines, const Surfel& surfel) -> std::optional<Eigen::Vector3d> {
+    return [](const NormalsInput& lines, const Surfel& surfel) -> std::optional<Eigen::Vector3d> {
       return lines.R_map_odom * surfel.normal;
     };
   }
-  return [&recording](const ThreeLines& lines,
+  return [&recording](const NormalsInput& lines,
                       const Surfel& surfel) -> std::optional<Eigen::Vector3d> {
     const int face = lines.middle->faces[surfel.beam];
     if (face < 0 || recording.face_normals[face].isZero()) return std::nullopt;
@@ -38,12 +38,12 @@ Reference reference_of(const Recording& recording) {
   };
 }
 
-/// Angle errors of one peer, by range and by incidence [deg].
+/// Angle errors of one peer [deg], also by range and by incidence.
 struct AngleErrors {
   std::vector<double> all;
-  std::array<std::vector<double>, 4> by_range;      // to 2, 5, 10 m and beyond
-  std::array<std::vector<double>, 3> by_incidence;  // to 30, 60 and 90 deg
-  std::size_t missing = 0;                          ///< where the peer gives none, though we do
+  std::array<std::vector<double>, 4> by_range;      // up to 2, 5, 10 m and beyond
+  std::array<std::vector<double>, 3> by_incidence;  // up to 30, 60 and 90 deg
+  std::size_t missing = 0;  ///< number of our normals that the peer does not have
 };
 
 std::size_t bin_of(double value, std::initializer_list<double> ends) {
@@ -51,13 +51,13 @@ std::size_t bin_of(double value, std::initializer_list<double> ends) {
       std::count_if(ends.begin(), ends.end(), [value](double end) { return value > end; }));
 }
 
-/// At the beams where we have a normal and there is a reference.
-AngleErrors errors_of(const NormalsPeer& peer, const std::vector<ThreeLines>& samples,
+/// Returns the errors at beams where we have a normal and there is a reference.
+AngleErrors errors_of(const NormalsPeer& peer, const std::vector<NormalsInput>& samples,
                       const Reference& reference) {
   AngleErrors errors;
   if (!peer.normal_at) return errors;
   for (std::size_t s = 0; s < samples.size(); ++s) {
-    const ScanLine& line = samples[s].buffer.middle();
+    const ScanLine& line = samples[s].middle();
     for (const Surfel& surfel : samples[s].surfels) {
       const auto truth = reference(samples[s], surfel);
       if (!truth) continue;
@@ -66,9 +66,9 @@ AngleErrors errors_of(const NormalsPeer& peer, const std::vector<ThreeLines>& sa
         ++errors.missing;
         continue;
       }
-      const double error = kDegrees * std::acos(std::min(1.0, std::abs(normal.dot(*truth))));
+      const double error = to_degrees(std::acos(std::min(1.0, std::abs(normal.dot(*truth)))));
       const Eigen::Vector3d beam = samples[s].R_map_odom * line.directions[surfel.beam];
-      const double incidence = kDegrees * std::acos(std::min(1.0, std::abs(beam.dot(*truth))));
+      const double incidence = to_degrees(std::acos(std::min(1.0, std::abs(beam.dot(*truth)))));
       errors.all.push_back(error);
       errors.by_range[bin_of(line.ranges_m[surfel.beam], {2.0, 5.0, 10.0})].push_back(error);
       errors.by_incidence[bin_of(incidence, {30.0, 60.0})].push_back(error);
@@ -95,7 +95,7 @@ std::string medians_of(const std::array<std::vector<double>, size>& bins) {
 std::string text_of(const AngleErrors& errors, const char* what) {
   char text[192];
   std::snprintf(text, sizeof text,
-                "%s %.2f deg; to 2, 5, 10 m, beyond:%s; incidence to 30, 60, 90:%s", what,
+                "%s %.2f deg; up to 2, 5, 10 m, beyond:%s; incidence up to 30, 60, 90:%s", what,
                 median(errors.all), medians_of(errors.by_range).c_str(),
                 medians_of(errors.by_incidence).c_str());
   return text;
@@ -118,7 +118,7 @@ void append(List& list, const List& more) {
   list.insert(list.end(), more.begin(), more.end());
 }
 
-std::vector<NormalsPeer> all_peers(const std::vector<ThreeLines>& samples,
+std::vector<NormalsPeer> all_peers(const std::vector<NormalsInput>& samples,
                                    const ModelerConfig& config) {
   std::vector<NormalsPeer> peers = our_normals(samples, config);
   append(peers, pcl_normals(samples, config.ribbon.neighbourhood_m));
@@ -129,7 +129,7 @@ std::vector<NormalsPeer> all_peers(const std::vector<ThreeLines>& samples,
 
 const std::string kSection = "normals of the middle line, per normal";
 const std::string kSolve = "Eigen computeDirect, one 3x3 solve";
-constexpr std::size_t kOurs = 0, kPcl = 1;  // of all_peers(): PCL with our neighbourhood
+constexpr std::size_t kOurs = 0, kPcl = 1;  // in all_peers(); kPcl has our neighbourhood
 
 using Times = std::map<std::string, double>;  // ns per normal
 
@@ -141,7 +141,7 @@ Times times_of(const std::vector<NormalsPeer>& peers,
   return benchmarks.ns_per_item();
 }
 
-/// A row of a peer, with its errors where it is asked what we are asked; `what` they are.
+/// Returns the row of a peer with its errors, if it has any; `what` names the errors.
 Row row_of(const NormalsPeer& peer, const AngleErrors& errors, const char* what, double ns,
            double ours_ns) {
   Row row;
@@ -170,9 +170,9 @@ void measure_normals(const Inputs& inputs, Report& report) {
   const Recording& recording = inputs.recording;
   const Reference reference = reference_of(recording);
   const bool has_truth = !recording.face_normals.empty();
-  // Few for the times, as lines come hot from the cache; many for the errors.
-  const auto few = sample_buffers(recording, inputs.config, 16);
-  const auto many = sample_buffers(recording, inputs.config, inputs.options.quick ? 100 : 400);
+  // Few samples for the times, which then stay in the cache as lines do; many for the errors.
+  const auto few = sample_lines(recording, inputs.config, 16);
+  const auto many = sample_lines(recording, inputs.config, inputs.options.quick ? 100 : 400);
   const auto timed = all_peers(few, inputs.config), judged = all_peers(many, inputs.config);
   const Times ns = times_of(timed, covariances_of(few));
   const double ours_ns = ns.at(timed[kOurs].name), pcl_ns = ns.at(timed[kPcl].name);
@@ -188,7 +188,7 @@ void measure_normals(const Inputs& inputs, Report& report) {
   if (has_truth) report.set("normals_error_deg", medians_deg[kOurs]);
   report.set(has_truth ? "normals_pcl_error_deg" : "normals_pcl_from_ours_deg", medians_deg[kPcl]);
   std::size_t points = 0;
-  for (const ThreeLines& sample : few) points += sample.beams.size();
+  for (const NormalsInput& sample : few) points += sample.beams.size();
   const double share = static_cast<double>(timed[kOurs].normals) / static_cast<double>(points);
   add_times(kSolve, ns.at(kSolve), report);
   add_times("ours, per point of the line", ours_ns * share, report);

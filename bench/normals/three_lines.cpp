@@ -7,30 +7,31 @@
 #include <map>
 
 #include "bench/stopwatch.hpp"
+#include "modeler/scan/line_buffer.hpp"
 
 namespace ribbon_mapper::bench {
 namespace {
 
-ThreeLines snapshot(const LineBuffer& buffer, const RecordedLine& middle,
-                    const ModelerConfig& config) {
-  ThreeLines sample;
-  sample.buffer = buffer;
-  sample.middle = &middle;
-  sample.R_map_odom = middle.T_map_odom_true.linear();
-  for (std::size_t beam = 0; beam < buffer.middle().size(); ++beam) {
-    if (!buffer.middle().has_return(beam)) continue;
-    sample.beams.push_back(beam);
-    sample.around.push_back(neighbourhood_of(buffer, beam, config.ribbon.neighbourhood_m));
+NormalsInput snapshot(const ThreeLines& lines, const RecordedLine& recorded,
+                      const ModelerConfig& config) {
+  NormalsInput input;
+  input.lines = {lines.previous, lines.middle, lines.next};
+  input.recorded = &recorded;
+  input.R_map_odom = recorded.T_map_odom_true.linear();
+  for (std::size_t beam = 0; beam < lines.middle.size(); ++beam) {
+    if (!lines.middle.has_return(beam)) continue;
+    input.beams.push_back(beam);
+    input.around.push_back(neighbourhood_of(lines, beam, config.ribbon.neighbourhood_m));
   }
-  estimate_surfels(buffer, config.scan, config.ribbon, sample.surfels);
-  return sample;
+  estimate_surfels(lines, config.scan, config.ribbon, input.surfels);
+  return input;
 }
 
 }  // namespace
 
-std::vector<ThreeLines> sample_buffers(const Recording& recording, const ModelerConfig& config,
+std::vector<NormalsInput> sample_lines(const Recording& recording, const ModelerConfig& config,
                                        std::size_t count) {
-  std::vector<ThreeLines> samples;
+  std::vector<NormalsInput> samples;
   const double sigma_m = config.scan.range_sigma_m;
   LineBuffer buffer(config.scan.base_line_sigmas * sigma_m);
   std::map<Time, const RecordedLine*> by_stamp;
@@ -44,30 +45,27 @@ std::vector<ThreeLines> sample_buffers(const Recording& recording, const Modeler
     }
     by_stamp[buffer.incoming().stamp] = &line;
     buffer.push();
-    while (buffer.advance()) {
+    while (const auto lines = buffer.next_three_lines()) {
       if (samples.size() >= i / stride) continue;
-      samples.push_back(snapshot(buffer, *by_stamp.at(buffer.middle().stamp), config));
+      samples.push_back(snapshot(*lines, *by_stamp.at(lines->middle.stamp), config));
     }
   }
   return samples;
 }
 
-std::vector<Eigen::Matrix3d> covariances_of(const std::vector<ThreeLines>& samples) {
+std::vector<Eigen::Matrix3d> covariances_of(const std::vector<NormalsInput>& samples) {
   std::vector<Eigen::Matrix3d> covariances;
-  for (const ThreeLines& sample : samples) {
-    for (const Neighbourhood& around : sample.around) {
-      if (around.size() == 0) continue;
-      const Moments all = sample.buffer.previous().moments(around.begin, around.end) +
-                          sample.buffer.middle().moments(around.begin, around.end) +
-                          sample.buffer.next().moments(around.begin, around.end);
-      covariances.push_back(all.covariance());
+  for (const NormalsInput& sample : samples) {
+    for (const BeamRange& around : sample.around) {
+      if (around.empty()) continue;
+      covariances.push_back(sample.three_lines().moments(around.begin, around.end).covariance());
     }
   }
   return covariances;
 }
 
 double eigen_solve_ns(const std::vector<Eigen::Matrix3d>& covariances) {
-  const double seconds = seconds_of([&] {
+  const double seconds = cpu_seconds_of([&] {
     for (const Eigen::Matrix3d& covariance : covariances) {
       Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver;
       solver.computeDirect(covariance);

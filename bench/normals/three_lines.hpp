@@ -3,35 +3,42 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <array>
 #include <cstddef>
 #include <vector>
 
 #include "bench/recording/recording.hpp"
 #include "modeler/modeler_config.hpp"
 #include "modeler/ribbon/surfel.hpp"
-#include "modeler/scan/line_buffer.hpp"
+#include "modeler/scan/three_lines.hpp"
 
 namespace ribbon_mapper::bench {
 
-/// A full buffer of the tour: the input of all rows that estimate normals.
-struct ThreeLines {
-  LineBuffer buffer{0.0};
-  std::vector<std::size_t> beams;     ///< of the middle line: those with a return
-  std::vector<Neighbourhood> around;  ///< of each of these; size 0: no normal there
-  std::vector<Surfel> surfels;        ///< that we estimate on it
-  Eigen::Matrix3d R_map_odom = Eigen::Matrix3d::Identity();  ///< as it really was
-  const RecordedLine* middle = nullptr;                      ///< the recording's line in the middle
+/// Three lines of a tour, the input of all normal estimations.
+struct NormalsInput {
+  std::array<ScanLine, 3> lines;   ///< previous, middle, next
+  std::vector<std::size_t> beams;  ///< beams of the middle line with a return
+  std::vector<BeamRange> around;   ///< range of each; size 0 where there is no normal
+  std::vector<Surfel> surfels;     ///< our surfels of the middle line
+  Eigen::Matrix3d R_map_odom = Eigen::Matrix3d::Identity();  ///< true rotation
+  const RecordedLine* recorded = nullptr;                    ///< middle line in the recording
+
+  /// Returns the three lines as the method's stages take them.
+  ThreeLines three_lines() const { return {lines[0], lines[1], lines[2]}; }
+
+  /// Returns the middle line.
+  const ScanLine& middle() const { return lines[1]; }
 };
 
-/// `count` buffers, evenly over the tour; fewer of a short one.
-std::vector<ThreeLines> sample_buffers(const Recording& recording, const ModelerConfig& config,
+/// Returns up to `count` samples, evenly distributed over the tour.
+std::vector<NormalsInput> sample_lines(const Recording& recording, const ModelerConfig& config,
                                        std::size_t count);
 
-/// Covariances of the neighbourhoods of all beams: real input for a 3x3 eigen solve.
-std::vector<Eigen::Matrix3d> covariances_of(const std::vector<ThreeLines>& samples);
+/// Returns the covariances of all neighbourhoods, realistic input for a 3x3 eigen solver.
+std::vector<Eigen::Matrix3d> covariances_of(const std::vector<NormalsInput>& samples);
 
-/// Nanoseconds of one closed-form 3x3 eigen solve (Eigen's computeDirect) on these: the unit in
-/// which the line pipeline is measured.
+/// Returns the mean CPU time of a closed-form 3x3 eigen solve (Eigen's computeDirect) [ns], the
+/// unit for times of the line pipeline.
 double eigen_solve_ns(const std::vector<Eigen::Matrix3d>& covariances);
 
 }  // namespace ribbon_mapper::bench

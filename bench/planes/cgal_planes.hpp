@@ -13,12 +13,18 @@
 
 namespace ribbon_mapper::bench::cgal {
 
+/// CGAL's geometry kernel.
 using Kernel = CGAL::Simple_cartesian<double>;
+/// A point with its normal.
 using PointWithNormal = std::pair<Kernel::Point_3, Kernel::Vector_3>;
+/// A point cloud with normals.
 using Cloud = std::vector<PointWithNormal>;
+/// Access to the points of a cloud.
 using PointMap = CGAL::First_of_pair_property_map<PointWithNormal>;
+/// Access to the normals of a cloud.
 using NormalMap = CGAL::Second_of_pair_property_map<PointWithNormal>;
 
+/// Converts points and estimates their normals from the nearest neighbours.
 inline Cloud with_normals(const Points& points, unsigned int neighbours) {
   Cloud cloud;
   cloud.reserve(points.size());
@@ -30,6 +36,7 @@ inline Cloud with_normals(const Points& points, unsigned int neighbours) {
   return cloud;
 }
 
+/// Returns the points with the given indices.
 template <typename Indices>
 Points points_of(const Cloud& cloud, const Indices& indices) {
   Points points;

@@ -12,10 +12,10 @@ namespace {
 
 constexpr float kVoxel_m = 0.05F;
 
-/// From the odom frame of a placed line to map, by the believed acquisition pose or the true one.
+/// Returns the transform from odom to map by the noisy or the true acquisition pose of a line.
 Pose T_map_odom(const RecordedLine& recorded, const ScanLine& line, Poses poses) {
   const Pose& T_map_base =
-      poses == Poses::true_ones ? recorded.T_map_base_true : recorded.poses.T_map_base;
+      poses == Poses::truth ? recorded.T_map_base_true : recorded.poses.T_map_base;
   return T_map_base * line.T_odom_base.inverse(Eigen::Isometry);
 }
 

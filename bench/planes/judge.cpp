@@ -22,7 +22,7 @@ Moments moments_of(const Points& points) {
   return moments;
 }
 
-/// A plane of one sweep, grown by others.
+/// A plane of one sweep, merged with those of others.
 struct Merged {
   Moments moments;
   PlaneFit fit;
@@ -51,7 +51,7 @@ Merged merged_of(const Points& points) {
   return plane;
 }
 
-/// Of a point from the nearest plane that it lies on.
+/// Returns the distance of a point from the nearest plane that it lies on, if any.
 std::optional<double> distance_of(const Eigen::Vector3d& point,
                                   const std::vector<Footprint>& footprints) {
   constexpr double kMax_m = 0.10;
@@ -68,7 +68,7 @@ std::optional<double> distance_of(const Eigen::Vector3d& point,
 }  // namespace
 
 std::vector<Plane> bounded_planes(const std::vector<Points>& planes, const ViewField& views,
-                                  const PlaneMapConfig& config) {
+                                  const ModelerConfig& config) {
   std::vector<Plane> bounded;
   for (const Points& points : planes) {
     if (points.size() < 3) continue;
@@ -81,9 +81,9 @@ std::vector<Plane> bounded_planes(const std::vector<Points>& planes, const ViewF
     if (side < 0.0) patch.normal *= -1.0;
     patch.d_m = -patch.normal.dot(fit.mean);
     for (const Eigen::Vector3f& point : points) patch.cells.push_back(point.cast<double>());
-    Plane plane = eval::plane_of(patch, 0, config.cell_size_m);
+    Plane plane = eval::plane_of(patch, 0, config.surface.cell_size_m);
     plane.area_m2 = plane.cells.size() * plane.cell_size_m * plane.cell_size_m;
-    if (plane.area_m2 >= config.min_area_m2) bounded.push_back(std::move(plane));
+    if (plane.area_m2 >= config.assembly.min_area_m2) bounded.push_back(std::move(plane));
   }
   return bounded;
 }
@@ -92,7 +92,7 @@ std::vector<Points> united(const std::vector<Points>& planes) {
   std::vector<Merged> all;
   for (const Points& points : planes) {
     Merged plane = merged_of(points);
-    // What it joins may now join others.
+    // A merged plane may match further planes, so the search starts again.
     for (auto it = all.begin(); it != all.end();) {
       if (!plane.is_same(*it)) {
         ++it;
@@ -123,14 +123,14 @@ nlohmann::json to_json(const eval::MapMetrics& metrics) {
 }
 
 nlohmann::json judged_by_points(const std::vector<Plane>& planes, const Points& points,
-                                const PlaneMapConfig& config) {
+                                const ModelerConfig& config) {
   std::vector<Footprint> footprints;
   double area_m2 = 0.0;
   for (const Plane& plane : planes) {
-    footprints.emplace_back(plane, config.cell_size_m);
+    footprints.emplace_back(plane, config.surface.cell_size_m);
     area_m2 += plane.area_m2;
   }
-  const std::size_t stride = 1 + points.size() / 200'000;  // that many tell enough
+  const std::size_t stride = 1 + points.size() / 200'000;  // a sample suffices
   std::vector<double> distances_m;
   for (std::size_t i = 0; i < points.size(); i += stride) {
     if (const auto distance_m = distance_of(points[i].cast<double>(), footprints)) {
@@ -138,7 +138,7 @@ nlohmann::json judged_by_points(const std::vector<Plane>& planes, const Points& 
     }
   }
   DuplicateRule rule;
-  rule.touching_m = config.stripe_gap_m;
+  rule.touching_m = config.surface.stripe_gap_m;
   return {{"planes", planes.size()},
           {"area_m2", area_m2},
           {"duplicates", duplicates_of_larger(planes, rule).size()},
@@ -150,15 +150,17 @@ nlohmann::json judged_by_points(const std::vector<Plane>& planes, const Points& 
 std::string text_of(const nlohmann::json& m) {
   char text[128];
   if (m.contains("f1")) {
-    std::snprintf(text, sizeof text, "F1 %.3f, missed %d, extra %d, doubled %d, %.2f deg, %.1f mm",
+    std::snprintf(text, sizeof text,
+                  "F1 %.3f, missed %d, extra %d, duplicates %d, %.2f deg, %.1f mm",
                   m["f1"].get<double>(), m["missed"].get<int>(), m["extra"].get<int>(),
                   m["duplicates"].get<int>(), m["angle_error_deg"].get<double>(),
                   m["offset_error_mm"].get<double>());
   } else {
-    std::snprintf(text, sizeof text,
-                  "%d planes, %.1f m2, doubled %d; %.0f %% of the points on them, %.1f mm off",
-                  m["planes"].get<int>(), m["area_m2"].get<double>(), m["duplicates"].get<int>(),
-                  100.0 * m["points_share"].get<double>(), m["points_mm"].get<double>());
+    std::snprintf(
+        text, sizeof text,
+        "%d planes, %.1f m2, duplicates %d; %.0f %% of points on planes, median distance %.1f mm",
+        m["planes"].get<int>(), m["area_m2"].get<double>(), m["duplicates"].get<int>(),
+        100.0 * m["points_share"].get<double>(), m["points_mm"].get<double>());
   }
   return text;
 }

@@ -13,23 +13,24 @@
 
 namespace ribbon_mapper::bench {
 
-/// The planes of a peer as we have them: least-squares planes with cells of our size, turned to
-/// where they were seen from; those below our least area left out.
+/// Converts planes of a peer to our representation: least-squares planes with cells of our size and
+/// normals towards the sensor. Planes below our minimum area are left out.
 std::vector<Plane> bounded_planes(const std::vector<Points>& planes, const ViewField& views,
-                                  const PlaneMapConfig& config);
+                                  const ModelerConfig& config);
 
-/// Unites planes of single sweeps that are one: what a user of PCL has to write as well. It is not
+/// Merges equal planes of different sweeps. Users of PCL have to write this as well; it is not
 /// timed.
 std::vector<Points> united(const std::vector<Points>& planes);
 
+/// Converts metrics to JSON.
 nlohmann::json to_json(const eval::MapMetrics& metrics);
 
-/// What can be said of planes without a truth: their number and area, doubled ones, the share of
-/// all points that lie on one (within 10 cm, where it has cells), and how far from it these are.
+/// Evaluates planes without a ground truth: number, area, duplicates, the share of points within
+/// 10 cm of a plane's cells, and the median distance of these points.
 nlohmann::json judged_by_points(const std::vector<Plane>& planes, const Points& points,
-                                const PlaneMapConfig& config);
+                                const ModelerConfig& config);
 
-/// Of either.
+/// Formats the metrics of either function as text.
 std::string text_of(const nlohmann::json& metrics);
 
 }  // namespace ribbon_mapper::bench

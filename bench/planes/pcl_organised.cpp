@@ -40,7 +40,7 @@ void segment(const Sweep& sweep, std::vector<Points>& planes) {
   pcl::OrganizedMultiPlaneSegmentation<pcl::PointXYZ, pcl::Normal, pcl::Label> segmentation;
   segmentation.setMinInliers(150);
   segmentation.setAngularThreshold(6.0 / 180.0 * M_PI);
-  segmentation.setDistanceThreshold(0.05);  // times depth squared: z looks ahead in these images
+  segmentation.setDistanceThreshold(0.05);  // times squared depth
   segmentation.setMaximumCurvature(0.05);
   segmentation.setInputCloud(cloud);
   segmentation.setInputNormals(normals_of(cloud));

@@ -30,8 +30,8 @@ Points from_pcl(const Cloud& cloud) {
   return points;
 }
 
-/// Raw clouds of a tilting laser are so dense that 30 neighbours lie within the noise: there it
-/// takes more.
+/// Parameters by density. In raw clouds of a tilting laser, 30 neighbours lie within the noise, so
+/// more are needed.
 struct Settings {
   int neighbours;
   int min_points;

@@ -15,10 +15,10 @@ namespace ribbon_mapper::bench {
 namespace {
 
 constexpr float kVoxel_m = 0.04F;
-constexpr std::size_t kLinesPerSweep = 60;  // half a period of the tilt
-constexpr std::size_t kDenseVoxel = 5;      // points in it, from which on normals need more than 30
+constexpr std::size_t kLinesPerSweep = 60;  // a half-period of the tilt
+constexpr std::size_t kDenseVoxel = 5;      // points per voxel above which a cloud is dense
 
-/// Times and judges all ways to the planes of a recording, for poses of one kind.
+/// Measures time and accuracy of all methods on a recording, with poses of one kind.
 class Contest {
  public:
   Contest(const Inputs& inputs, Report& report, Poses poses, std::string section)
@@ -29,7 +29,8 @@ class Contest {
         cloud_(cloud_of(inputs.recording, inputs.config.scan, poses)),
         views_(cloud_) {}
 
-  /// Line by line with the believed poses; for the true ones the correction comes on top.
+  /// Measures our method line by line with noisy poses, plus the correction if poses are to be
+  /// true.
   void ours() {
     std::vector<double> seconds;
     nlohmann::json metrics;
@@ -45,23 +46,22 @@ class Contest {
     }
     ours_s_ = median(seconds);
     f1 = metrics.value("f1", 0.0);
-    report_.add(
-        {section_,
-         poses_ == Poses::true_ones ? "ours: lines, correction, planes" : "ours: lines, planes",
-         ours_s_, item_ns(ours_s_), 1.0, peak_mb, text_of(metrics), metrics});
+    report_.add({section_,
+                 poses_ == Poses::truth ? "ours: lines, correction, planes" : "ours: lines, planes",
+                 ours_s_, item_ns(ours_s_), 1.0, peak_mb, text_of(metrics), metrics});
   }
 
-  /// Returns the seconds, infinite if it did not finish.
+  /// Measures a peer. Returns its CPU time, or infinity if it was stopped.
   double peer(const std::string& name, const std::function<std::vector<Points>()>& planes_of,
-              bool is_to_be_united = false) {
+              bool is_per_sweep = false) {
     const auto work = [&]() -> nlohmann::json {
       const double before_mb = resident_mb();
       std::vector<Points> planes;
-      const double seconds = seconds_of([&] { planes = planes_of(); });
+      const double seconds = cpu_seconds_of([&] { planes = planes_of(); });
       const double peak_mb = peak_resident_mb() - before_mb;
-      if (is_to_be_united) planes = united(planes);
+      if (is_per_sweep) planes = united(planes);
       return {{"seconds", seconds},
-              {"metrics", judged(bounded_planes(planes, views_, inputs_.config.map))},
+              {"metrics", judged(bounded_planes(planes, views_, inputs_.config))},
               {"peak_mb", peak_mb}};
     };
     const auto result = run_in_child(work, inputs_.options.limit_s);
@@ -84,7 +84,7 @@ class Contest {
     return seconds;
   }
 
-  /// Returns the seconds of the fastest.
+  /// Measures peers on the raw points and returns the CPU time of the fastest.
   double raw_peers(Density density) {
     const auto on_raw = [this](const PlanesPeer& p) {
       return peer(p.name + ", raw", [&] { return p.planes_of(cloud_.points); });
@@ -93,15 +93,16 @@ class Contest {
                      on_raw(cgal_efficient_ransac(density))});
   }
 
-  /// No planes of the tour: PCL does not unite those of the sweeps. So it is no rival of the
-  /// others.
+  /// Measures PCL's organised segmentation and returns its CPU time. As it does not merge planes of
+  /// different sweeps, it is not comparable with the other peers.
   double sweeps_peer() {
     const auto sweeps = sweeps_of(inputs_.recording, inputs_.config.scan, poses_, kLinesPerSweep);
     return peer(
-        "PCL organised multi-plane, per sweep; united by us",
+        "PCL organised multi-plane, per sweep; merged by us",
         [&] { return pcl_organised_planes(sweeps); }, true);
   }
 
+  /// Measures peers on voxel centroids and returns the CPU time of the fastest.
   double voxel_peers() {
     const auto on_voxels = [this](const PlanesPeer& p) {
       return peer(p.name + ", 4 cm voxels",
@@ -112,17 +113,17 @@ class Contest {
                      on_voxels(cgal_efficient_ransac(Density::sparse))});
   }
 
-  /// What suits the peers best on the raw cloud of a recording that no parameters were chosen for.
+  /// Returns the density of the recording's raw points.
   Density raw_density() const {
     const std::size_t voxels = voxel_grid(cloud_.points, kVoxel_m).size();
     return cloud_.points.size() > kDenseVoxel * voxels ? Density::dense : Density::sparse;
   }
 
-  /// Time of a peer over ours; one that was stopped counts with the time that it was given.
+  /// Returns the ratio of a peer's CPU time to ours; a stopped peer counts with the limit.
   double over_ours(double seconds) const {
     return std::min(seconds, inputs_.options.limit_s) / ours_s_;
   }
-  double f1 = 0.0, best_peer_f1 = 0.0;  ///< if there is a truth
+  double f1 = 0.0, best_peer_f1 = 0.0;  ///< 0 without a ground truth
 
  private:
   double item_ns(double seconds) const {
@@ -130,7 +131,7 @@ class Contest {
   }
   nlohmann::json judged(const std::vector<Plane>& planes) const {
     if (inputs_.recording.truth.empty()) {
-      return judged_by_points(planes, cloud_.points, inputs_.config.map);
+      return judged_by_points(planes, cloud_.points, inputs_.config);
     }
     return to_json(eval::compare_maps(eval::patches_of(planes), inputs_.recording.truth));
   }
@@ -139,11 +140,11 @@ class Contest {
     Modeler modeler(inputs_.config);
     std::vector<Plane> planes;
     const auto truth = true_trajectory(inputs_.recording);
-    const double seconds = seconds_of([&] {
+    const double seconds = cpu_seconds_of([&] {
       for (const RecordedLine& line : inputs_.recording.lines) {
         modeler.add_scan_line(line.beams, line.poses);
       }
-      if (poses_ == Poses::true_ones) modeler.correct(truth);
+      if (poses_ == Poses::truth) modeler.correct(truth);
       planes = modeler.planes();
     });
     return {{"seconds", seconds}, {"metrics", judged(planes)}};
@@ -161,15 +162,14 @@ class Contest {
 }  // namespace
 
 void measure_planes(const Inputs& inputs, Report& report) {
-  for (const Poses poses : {Poses::true_ones, Poses::believed}) {
-    const bool is_true = poses == Poses::true_ones;
-    Contest contest(
-        inputs, report, poses,
-        is_true ? "planes of the tour, true poses" : "planes of the tour, believed poses");
+  for (const Poses poses : {Poses::truth, Poses::noisy}) {
+    const bool is_true = poses == Poses::truth;
+    Contest contest(inputs, report, poses,
+                    is_true ? "planes of the tour, true poses" : "planes of the tour, noisy poses");
     contest.ours();
     const double voxels_s = contest.voxel_peers(), sweeps_s = contest.sweeps_peer(),
                  raw_s = contest.raw_peers(Density::dense);
-    const std::string kind = is_true ? "" : "_believed";
+    const std::string kind = is_true ? "" : "_noisy";
     report.set("f1" + kind, contest.f1);
     report.set("best_peer_f1" + kind, contest.best_peer_f1);
     if (!is_true) continue;
@@ -180,7 +180,7 @@ void measure_planes(const Inputs& inputs, Report& report) {
 }
 
 void measure_recorded_planes(const Inputs& inputs, Report& report) {
-  Contest contest(inputs, report, Poses::true_ones, "planes, poses as recorded");
+  Contest contest(inputs, report, Poses::truth, "planes, poses as recorded");
   contest.ours();
   report.set("planes_vs_best_voxel_peer", contest.over_ours(contest.voxel_peers()));
   report.set("planes_vs_best_raw_peer",

@@ -11,7 +11,7 @@
 namespace ribbon_mapper::bench {
 namespace {
 
-constexpr std::size_t kMinLines = 100;  // some seconds: less is no measurement
+constexpr std::size_t kMinLines = 100;  // a few seconds; less gives no reliable times
 
 RecordedLine recorded(const ReadyLine& ready) {
   RecordedLine line;
@@ -24,11 +24,11 @@ RecordedLine recorded(const ReadyLine& ready) {
   return line;
 }
 
-/// The last line lasts as long as the others.
-double lasting_s(const std::vector<RecordedLine>& lines) {
+/// Returns the duration, assuming that the last line lasts as long as the others.
+double duration_s_of(const std::vector<RecordedLine>& lines) {
   const auto periods = static_cast<double>(lines.size() - 1);
-  const Time lasting = lines.back().beams.stamp - lines.front().beams.stamp;
-  return to_seconds(lasting) * (periods + 1.0) / periods;
+  const Time first_to_last = lines.back().beams.stamp - lines.front().beams.stamp;
+  return to_seconds(first_to_last) * (periods + 1.0) / periods;
 }
 
 }  // namespace
@@ -44,9 +44,9 @@ Recording recording_of_bag(const std::filesystem::path& file, const BagOptions& 
     const std::string drop = log.newest_drop().empty() ? "" : " (" + log.newest_drop() + ")";
     throw std::runtime_error(file.string() + ": " + std::to_string(recording.lines.size()) +
                              " lines of " + std::to_string(log.lines()) + " have poses" + drop +
-                             ", too few to measure; `bag_check` says more");
+                             ", too few to measure; run bag_check for details");
   }
-  recording.duration_s = lasting_s(recording.lines);
+  recording.duration_s = duration_s_of(recording.lines);
   return recording;
 }
 

@@ -9,9 +9,9 @@
 
 namespace ribbon_mapper::bench {
 
-/// The lines of a bag for which tf has poses, as the node would take them. There is no truth: the
-/// recorded poses are taken for final. Throws std::runtime_error that names the bag as BagLines
-/// does, and if it has hardly a line with poses.
+/// Reads the lines of a bag that have poses in tf, as the node would. There is no ground truth, so
+/// recorded poses count as true. Throws std::runtime_error that names the bag if it cannot be read
+/// or if fewer than 100 lines have poses.
 Recording recording_of_bag(const std::filesystem::path& file, const BagOptions& options);
 
 }  // namespace ribbon_mapper::bench

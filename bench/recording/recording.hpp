@@ -14,41 +14,42 @@
 
 namespace ribbon_mapper::bench {
 
-/// One scan line as the robot had it, and what only the truth knows.
+/// A scan line with the robot's poses and with the ground truth.
 struct RecordedLine {
-  LaserBeams beams;
-  LinePoses poses;                          ///< with the errors of the localisation
-  Pose T_map_base_true = Pose::Identity();  ///< half way between the first and last beam
-  Pose T_map_odom_true = Pose::Identity();  ///< at the same time: takes odom to the truth
-  std::vector<std::int32_t> faces;  ///< index into Recording::face_normals, -1: none or unknown
+  LaserBeams beams;                         ///< the ranges
+  LinePoses poses;                          ///< noisy poses
+  Pose T_map_base_true = Pose::Identity();  ///< true pose at the middle of the line
+  Pose T_map_odom_true = Pose::Identity();  ///< true odom frame at the same time
+  std::vector<std::int32_t> faces;          ///< by beam: index into Recording::face_normals, or -1
 };
 
-/// A tour in memory: where it comes from, a simulator or a bag, is no matter to the benchmarks.
-/// Without a truth (a bag) `faces`, `face_normals` and `truth` are empty, and the poses as recorded
-/// stand for the true ones.
+/// A tour in memory, from the simulator or from a bag. For a bag there is no ground truth: `faces`,
+/// `face_normals` and `truth` are empty, and true poses are the recorded ones.
 struct Recording {
-  std::string name;
-  double duration_s = 0.0;
-  std::vector<RecordedLine> lines;
-  std::vector<Eigen::Vector3d> face_normals;  ///< in map; zero: not planar
-  std::vector<eval::Patch> truth;
+  std::string name;                           ///< for the report
+  double duration_s = 0.0;                    ///< length of the tour
+  std::vector<RecordedLine> lines;            ///< by time
+  std::vector<Eigen::Vector3d> face_normals;  ///< in map; zero for curved faces
+  std::vector<eval::Patch> truth;             ///< the true planes
 
-  std::size_t beam_count() const;  ///< of all lines
+  /// Returns the number of beams of all lines.
+  std::size_t beam_count() const;
 };
 
-/// Of each line, the number of beams that a preset takes for returns.
+/// Returns the number of valid beams of each line under a preset.
 std::vector<std::size_t> returns_of(const Recording& recording, const ScanConfig& config);
 
-/// How many times more often work on a short recording is repeated: medians of few lines waver.
+/// Returns the factor for repetitions on a recording. Short recordings need more repetitions for
+/// stable medians.
 int repetitions_factor(const Recording& recording);
 
-/// The poses of all lines as they really were.
+/// Returns the true poses of all lines.
 std::vector<StampedPose> true_trajectory(const Recording& recording);
 
-/// The poses of a line with the true acquisition pose in the place of the believed one.
+/// Returns the poses of a line with the true instead of the noisy acquisition pose.
 LinePoses with_true_pose(const RecordedLine& line);
 
-/// The first `lines` of a recording.
+/// Returns the first `lines` lines of a recording.
 Recording head_of(const Recording& recording, std::size_t lines);
 
 }  // namespace ribbon_mapper::bench

@@ -9,7 +9,7 @@ namespace {
 
 const std::string kVersion = "ribbon_mapper tour 1\n";
 
-/// Writes and reads by the same list of fields.
+/// Archive for writing; pass_line() and pass_patch() list the fields for both directions.
 struct Writer {
   std::ofstream stream;
 
@@ -26,6 +26,7 @@ struct Writer {
   void pose(const Pose& pose) { plain(pose.matrix()); }
 };
 
+/// Archive for reading.
 struct Reader {
   std::ifstream stream;
 

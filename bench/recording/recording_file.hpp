@@ -9,10 +9,10 @@
 
 namespace ribbon_mapper::bench {
 
-/// A cache, in the byte order of the machine that wrote it: not for exchange.
+/// Writes a recording to a cache file in the machine's byte order, which is not for exchange.
 void write_recording(const Recording& recording, const std::filesystem::path& file);
 
-/// Nothing if there is no such file, or if it is of another version or cut off.
+/// Reads a cache file. Returns nothing if it does not exist, is incomplete or of another version.
 std::optional<Recording> read_recording(const std::filesystem::path& file);
 
 }  // namespace ribbon_mapper::bench

@@ -9,7 +9,7 @@
 #include <sstream>
 
 #include "bench/recording/recording_file.hpp"
-#include "eval/experiment/lines.hpp"
+#include "eval/experiment/scan_conversion.hpp"
 #include "modeler/program/installed_files.hpp"
 #include "sim/truth/truth.hpp"
 
@@ -58,9 +58,9 @@ std::string text_of(const std::filesystem::path& file) {
 TourSource apartment_tour() {
   TourSource source;
   source.name = "apartment";
-  source.world = find_shared("worlds/apartment.sdf");
-  source.route = find_shared("worlds/apartment.route.yaml");
-  source.config.localisation.drift = 3.0;  // that of the experiment
+  source.world = find_installed_file("worlds/apartment.sdf");
+  source.route = find_installed_file("worlds/apartment.route.yaml");
+  source.config.localisation.drift = 3.0;  // as in the experiment
   return source;
 }
 
@@ -79,7 +79,7 @@ Recording recording_of(const TourSource& source, const std::filesystem::path& ca
   std::snprintf(suffix, sizeof suffix, ".%016zx.tour", hash);
   const auto file = cache / (source.name + suffix);
   if (auto recording = read_recording(file)) return *std::move(recording);
-  std::printf("driving the tour %s, kept in %s\n", source.name.c_str(), file.c_str());
+  std::printf("recording the tour %s in %s\n", source.name.c_str(), file.c_str());
   std::fflush(stdout);
   Recording recording = driven(source);
   write_recording(recording, file);

@@ -10,21 +10,22 @@
 
 namespace ribbon_mapper::bench {
 
-/// What is to be recorded.
+/// A simulated tour to record.
 struct TourSource {
-  std::string name;
-  std::filesystem::path world, route;
-  sim::TourConfig config;
+  std::string name;             ///< for the report and the cache
+  std::filesystem::path world;  ///< SDF file
+  std::filesystem::path route;  ///< route file
+  sim::TourConfig config;       ///< noise, laser and robot
 };
 
-/// The tour of the paper's experiment: the flat in its hall, drift 3, 380 beams.
+/// Returns the tour of the paper's experiment through the apartment: drift 3, 380 beams.
 TourSource apartment_tour();
 
-/// The same with a wider view: 720 beams, or 1040.
+/// Returns the same tour with a wider field of view of `beams` beams.
 TourSource apartment_tour(int beams);
 
-/// Drives the tour in the simulator, or reads it from `cache` where it was driven before with the
-/// same world, route and name.
+/// Records the tour in the simulator, or reads it from the folder `cache` if it has been recorded
+/// with the same world, route and name.
 Recording recording_of(const TourSource& source, const std::filesystem::path& cache);
 
 }  // namespace ribbon_mapper::bench

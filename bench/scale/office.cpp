@@ -13,9 +13,10 @@ namespace {
 constexpr double kWidth_m = 5.0, kDepth_m = 4.0, kCorridor_m = 2.4, kHeight_m = 2.8;
 constexpr double kWall_m = 0.1, kDoor_m = 1.1, kDoorHeight_m = 2.1;
 
+/// An office floor in SDF.
 class Building {
  public:
-  /// A box by its centre and size [m].
+  /// Adds a box by its centre and size [m].
   void box(double x, double y, double z, double sx, double sy, double sz) {
     char text[320];
     std::snprintf(text, sizeof text,
@@ -24,11 +25,11 @@ class Building {
                   count_++, x, y, z, sx, sy, sz);
     text_ += text;
   }
-  /// A wall from the floor to the ceiling.
+  /// Adds a wall from the floor to the ceiling.
   void wall(double x, double y, double sx, double sy) {
     box(x, y, kHeight_m / 2.0, sx, sy, kHeight_m);
   }
-  /// The wall between a room and the corridor, with a doorway in its middle.
+  /// Adds the wall between a room and the corridor, with a doorway in its middle.
   void wall_with_door(double x, double y) {
     const double part_m = (kWidth_m - kDoor_m) / 2.0, lintel_m = kHeight_m - kDoorHeight_m;
     for (const double side : {-1.0, 1.0}) {
@@ -36,7 +37,8 @@ class Building {
     }
     box(x, y, kHeight_m - lintel_m / 2.0, kDoor_m, kWall_m, lintel_m);
   }
-  /// `side`: 1 left of the corridor, -1 right of it. No two rooms are furnished alike.
+  /// Adds a room with furniture at shifted places; `side` is 1 left of the corridor, -1 right of
+  /// it.
   void room(int column, double side) {
     const double x = (column + 0.5) * kWidth_m, door_y = side * kCorridor_m / 2.0;
     const double back_y = door_y + side * kDepth_m;

@@ -8,9 +8,9 @@
 
 namespace ribbon_mapper::bench {
 
-/// An office floor: `rooms` of 5 x 4 m (an even number) on both sides of a corridor, furnished, and
-/// a route through all of them and back. Writes the world and the route into `directory`. The same
-/// number gives the same bytes.
+/// Writes the world of an office floor into `directory`, with a route through all rooms and back.
+/// `rooms`, an even number, furnished rooms of 5 x 4 m lie on both sides of a corridor. The files
+/// are reproducible to the byte.
 TourSource office_tour(int rooms, const std::filesystem::path& directory);
 
 }  // namespace ribbon_mapper::bench

@@ -15,10 +15,10 @@
 namespace ribbon_mapper::bench {
 namespace {
 
-constexpr double kSpacing_m = 40.0;  // more than any ribbon reaches
+constexpr double kSpacing_m = 40.0;  // more than the range of a ribbon
 constexpr std::size_t kToursOfAMillion = 34;
-constexpr std::size_t kMaxTours = 100;  // three million ribbons
-constexpr double kLimit_s = 1800.0;     // of a run of ours; --limit is for the peers
+constexpr std::size_t kMaxTours = 100;  // about three million ribbons
+constexpr double kLimit_s = 1800.0;     // CPU time of our own work; --limit is for the peers
 
 template <typename... Values>
 std::string formatted(const char* format, Values... values) {
@@ -33,22 +33,23 @@ double total_area_m2(const std::vector<Plane>& planes) {
   return sum;
 }
 
-/// Growth is that of models from which nothing is left out.
+/// Removes the limit of ribbons, as growth is measured on models without thinning.
 ModelerConfig without_limit(ModelerConfig config) {
-  config.map.max_ribbons = 0;
+  config.observations.max_ribbons = 0;
   return config;
 }
 
-/// Says so in a row if the machine has no room for it.
+/// Returns whether there is enough memory. Adds a row that says so if there is not.
 bool has_room(double needed_mb, const std::string& section, const std::string& name,
               Report& report) {
   if (needed_mb < available_mb()) return true;
-  const std::string text = formatted("left out: takes about %.1f GB of memory", 1e-3 * needed_mb);
+  const std::string text = formatted("left out: needs about %.1f GB of memory", 1e-3 * needed_mb);
   report.add({section, name, {}, {}, {}, {}, text, {}});
   return false;
 }
 
-/// Two periods of the tilt in the flat, in more and more places.
+/// Measures lines while two periods of the tilt in the apartment are repeated at more and more
+/// places.
 void lines_over_planes(const Inputs& inputs, Report& report) {
   const std::string section = "growth: time of a line over planes";
   Recording piece = inputs.recording;
@@ -57,7 +58,7 @@ void lines_over_planes(const Inputs& inputs, Report& report) {
   const Tiles tiles(piece, kSpacing_m, 60);
   const double before_mb = resident_mb();
   Modeler modeler(without_limit(inputs.config));
-  constexpr std::size_t kMeasured = 5;  // tiles around each number
+  constexpr std::size_t kMeasured = 5;  // number of tiles around each number
   const std::vector<std::size_t> numbers =
       inputs.options.quick ? std::vector<std::size_t>{3, 30, 100}
                            : std::vector<std::size_t>{3, 10, 30, 100, 300, 1000, 3500};
@@ -89,16 +90,16 @@ void lines_over_planes(const Inputs& inputs, Report& report) {
   report.set("line_growth_exponent", fitted_exponent(x, y));
 }
 
-/// CPU seconds of a correction with the planes that come of it.
+/// Corrects the model, evaluates its planes and returns the CPU time [s].
 double correction_s(Modeler& modeler, const std::vector<StampedPose>& trajectory,
                     std::vector<Plane>& planes) {
-  return seconds_of([&] {
+  return cpu_seconds_of([&] {
     modeler.correct(trajectory);
     planes = modeler.planes();
   });
 }
 
-/// F1 of the planes at each place, as they are with true poses.
+/// Returns statistics of F1 over the places.
 nlohmann::json f1_of(const std::vector<eval::MapMetrics>& places) {
   std::vector<double> f1;
   for (const eval::MapMetrics& place : places) f1.push_back(place.f1);
@@ -109,7 +110,7 @@ nlohmann::json f1_of(const std::vector<eval::MapMetrics>& places) {
           {"all", f1}};
 }
 
-/// The whole tour in `number` places, then corrections.
+/// Models the whole tour at `number` places, then measures corrections.
 nlohmann::json corrections_of(const Recording& tour, const ModelerConfig& config,
                               std::size_t number) {
   const Tiles tiles(tour, kSpacing_m, 10);
@@ -121,8 +122,8 @@ nlohmann::json corrections_of(const Recording& tour, const ModelerConfig& config
   const auto tenth = bent(truth, 0.1), all = bent(truth, 1.0);
   std::vector<Plane> planes;
   result["line_s"] = line_s / static_cast<double>(number);
-  const double correct_s = seconds_of([&] { modeler.correct(truth); });
-  const double planes_s = seconds_of([&] { planes = modeler.planes(); });
+  const double correct_s = cpu_seconds_of([&] { modeler.correct(truth); });
+  const double planes_s = cpu_seconds_of([&] { planes = modeler.planes(); });
   result["correct_s"] = correct_s, result["planes_s"] = planes_s;
   result["seconds"] = correct_s + planes_s;
   result["planes"] = planes.size();
@@ -137,15 +138,15 @@ nlohmann::json corrections_of(const Recording& tour, const ModelerConfig& config
   return result;
 }
 
-/// The same in a process of its own.
+/// Runs corrections_of() in a child process.
 ChildResult corrections_in_child(const Recording& tour, const ModelerConfig& config,
                                  std::size_t number) {
   const auto run = run_in_child([&] { return corrections_of(tour, config, number); }, kLimit_s);
-  if (!run) throw std::runtime_error("a correction took longer than half an hour");
+  if (!run) throw std::runtime_error("the corrections took longer than half an hour of CPU time");
   return *run;
 }
 
-/// The whole tour in more and more places, up to three million ribbons.
+/// Measures corrections of the whole tour at more and more places, up to three million ribbons.
 void correction_over_ribbons(const Inputs& inputs, Report& report) {
   const std::string section = "growth: correction and planes over ribbons";
   const std::vector<std::size_t> numbers =
@@ -184,23 +185,23 @@ void correction_over_ribbons(const Inputs& inputs, Report& report) {
   }
 }
 
-/// Far more than `map.max_ribbons`: what is left, and what it is worth.
+/// Measures a model that has observed far more than `observations.max_ribbons`.
 void model_at_its_limit(const Inputs& inputs, Report& report) {
-  if (inputs.options.quick || inputs.config.map.max_ribbons == 0) return;
+  if (inputs.options.quick || inputs.config.observations.max_ribbons == 0) return;
   const ChildResult run = corrections_in_child(inputs.recording, inputs.config, kMaxTours);
   const nlohmann::json& result = run.value;
   const std::size_t kept = result["ribbons"], left_out = result["thinned"];
   const double megabytes = 1e-6 * result["bytes"].get<double>();
   const nlohmann::json& f1 = result["f1"];
   report.add(
-      {formatted("growth: a model of %d ribbons at most", inputs.config.map.max_ribbons),
+      {formatted("growth: a model of %d ribbons at most", inputs.config.observations.max_ribbons),
        formatted("%zu ribbons seen: correction and planes", kept + left_out),
        result["seconds"].get<double>(),
        1e9 * result["seconds"].get<double>() / static_cast<double>(kept),
        {},
        run.peak_mb,
        formatted("%zu kept of %d lines, %.0f MB; %d planes, F1 first place %.3f, last %.3f, median "
-                 "%.3f, worst %.3f; line %.0f us in the mean, thinning included",
+                 "%.3f, worst %.3f; mean time of a line %.0f us with thinning",
                  kept, result["lines"].get<int>(), megabytes, result["planes"].get<int>(),
                  f1["first"].get<double>(), f1["last"].get<double>(), f1["median"].get<double>(),
                  f1["worst"].get<double>(), 1e6 * result["line_s"].get<double>()),
@@ -225,7 +226,7 @@ nlohmann::json office_run(const Inputs& inputs, const Recording& tour) {
   return result;
 }
 
-/// A floor of offices, driven through in the simulator.
+/// Measures simulated tours through office floors.
 void offices(const Inputs& inputs, Report& report) {
   std::vector<double> rooms_x, line_y, correction_y;
   const auto numbers = inputs.options.quick ? std::vector<int>{4} : std::vector<int>{4, 12, 36};
@@ -233,7 +234,7 @@ void offices(const Inputs& inputs, Report& report) {
     const Recording tour =
         recording_of(office_tour(rooms, inputs.options.output), inputs.options.output);
     const auto run = run_in_child([&] { return office_run(inputs, tour); }, kLimit_s);
-    if (!run) throw std::runtime_error("an office took longer than half an hour");
+    if (!run) throw std::runtime_error("an office took longer than half an hour of CPU time");
     const nlohmann::json& result = run->value;
     rooms_x.push_back(rooms);
     line_y.push_back(result["line_s"]);

@@ -35,7 +35,7 @@ double Tiles::feed(std::size_t k, Modeler& modeler) const {
     beams.stamp += start_of(k);
     LinePoses poses = line.poses;
     poses.T_map_base = T * poses.T_map_base;
-    seconds += seconds_of([&] { modeler.add_scan_line(beams, poses); });
+    seconds += cpu_seconds_of([&] { modeler.add_scan_line(beams, poses); });
   }
   return seconds / static_cast<double>(piece_.lines.size());
 }

@@ -8,26 +8,26 @@
 
 namespace ribbon_mapper::bench {
 
-/// A large world made of one tour: it is driven again and again, each time in another place of a
-/// square lattice and later in time.
+/// A large world made of copies of one tour, each at a different place of a square lattice and
+/// later in time.
 class Tiles {
  public:
-  /// The recording must outlive the tiles.
+  /// Creates a lattice of `side` columns, `spacing_m` apart. The recording must outlive it.
   Tiles(const Recording& piece, double spacing_m, std::size_t side);
 
-  /// Feeds tile `k` with the poses that the robot believed; the mean CPU time of its lines [s].
+  /// Feeds tile `k` with noisy poses to the modeler. Returns the mean CPU time of its lines [s].
   double feed(std::size_t k, Modeler& modeler) const;
 
-  /// Where the lines of the first `count` tiles really were.
+  /// Returns the true poses of the lines of the first `count` tiles.
   std::vector<StampedPose> truth(std::size_t count) const;
 
-  /// Planes in map by the tile that they lie in, held against the truth of the recording: one
-  /// result for each of the first `count` tiles. Planes of no tile are left out.
+  /// Compares the planes in each of the first `count` tiles with the truth of the recording. Planes
+  /// outside these tiles are ignored. Returns one result per tile.
   std::vector<eval::MapMetrics> judged(const std::vector<Plane>& planes, std::size_t count) const;
 
  private:
   Pose T_map_tile(std::size_t k) const;
-  /// The one whose trajectory has the nearest mean.
+  /// Returns the tile whose mean of the trajectory is nearest.
   std::size_t tile_at(const Eigen::Vector3d& place) const;
   Time start_of(std::size_t k) const;
 
@@ -37,11 +37,11 @@ class Tiles {
   Eigen::Vector3d centre_ = Eigen::Vector3d::Zero();  ///< mean of the first tile's trajectory
 };
 
-/// The last `share` of a trajectory bent away, up to a few centimetres and half a degree: each of
-/// its poses by another amount.
+/// Displaces the last `share` of a trajectory by up to a few centimetres and half a degree, each
+/// pose by a different amount.
 std::vector<StampedPose> bent(std::vector<StampedPose> trajectory, double share);
 
-/// Slope of log(y) over log(x): how y grows with x.
+/// Returns the slope of log(y) over log(x), fitted by least squares.
 double fitted_exponent(const std::vector<double>& x, const std::vector<double>& y);
 
 }  // namespace ribbon_mapper::bench

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "eval/experiment/calibrate.hpp"
 
-#include "eval/experiment/lines.hpp"
 #include "eval/experiment/run.hpp"
+#include "eval/experiment/scan_conversion.hpp"
 
 namespace ribbon_mapper::eval {
 

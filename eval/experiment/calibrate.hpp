@@ -10,8 +10,8 @@
 
 namespace ribbon_mapper::eval {
 
-/// The calibration run of section 5.1 in the simulator. Throws what Calibrator::result() throws,
-/// and what files that are named wrongly do.
+/// Runs the calibration of section 5.1 in the simulator. Throws as Calibrator::result(),
+/// load_world(), load_route() and modeler_config().
 Calibration make_calibration(const RunOptions& run, const ProgressCallback& progress);
 
 }  // namespace ribbon_mapper::eval

@@ -3,29 +3,19 @@
 #include "eval/experiment/experiment.hpp"
 
 #include <algorithm>
-#include <chrono>
 
-#include "eval/experiment/lines.hpp"
+#include "eval/experiment/scan_conversion.hpp"
 #include "eval/metrics/point_truth.hpp"
 #include "eval/metrics/statistics.hpp"
 #include "eval/results/world_outlines.hpp"
 #include "modeler/modeler.hpp"
+#include "modeler/program/stopwatch.hpp"
 #include "sim/truth/truth.hpp"
 
 namespace ribbon_mapper::eval {
 namespace {
 
-using Clock = std::chrono::steady_clock;
-
-/// Seconds that `work` takes.
-template <typename Work>
-double seconds_of(const Work& work) {
-  const Clock::time_point start = Clock::now();
-  work();
-  return std::chrono::duration<double>(Clock::now() - start).count();
-}
-
-/// What became of the lines, and how long they took.
+/// Number of dropped lines and computing times of all lines.
 struct LineLog {
   std::size_t dropped = 0;
   double total_s = 0.0;
@@ -36,7 +26,7 @@ bool is_dropped(LineResult result) {
   return result == LineResult::malformed || result == LineResult::out_of_order;
 }
 
-/// What the simulator knows of the world, and of each beam.
+/// Ground truth of the planes and of each beam.
 struct Truth {
   explicit Truth(const sim::World& world) : collector(world) {}
   void add(const sim::Scan& scan) { points.add(middle_of(beams_of(scan)), collector.add(scan)); }
@@ -51,7 +41,7 @@ LineLog drive(sim::Tour& tour, Modeler& modeler, Truth& truth, const ProgressCal
     const LaserBeams beams = beams_of(*scan);
     const LinePoses poses = noisy_poses(tour, beams);
     LineResult result = LineResult::modelled;
-    log.line_s.push_back(seconds_of([&] { result = modeler.add_scan_line(beams, poses); }));
+    log.line_s.push_back(wall_seconds_of([&] { result = modeler.add_scan_line(beams, poses); }));
     log.total_s += log.line_s.back();
     log.dropped += is_dropped(result) ? 1 : 0;
     truth.add(*scan);
@@ -61,7 +51,7 @@ LineLog drive(sim::Tour& tour, Modeler& modeler, Truth& truth, const ProgressCal
   return log;
 }
 
-/// Ground truth at the stamps of a trajectory.
+/// Returns the true poses at the stamps of a trajectory.
 std::vector<StampedPose> true_poses(const sim::Tour& tour, std::vector<StampedPose> trajectory) {
   for (StampedPose& pose : trajectory) pose.T_map_base = tour.true_T_map_base(pose.stamp);
   return trajectory;
@@ -114,12 +104,12 @@ Results run_experiment(const sim::World& world, const sim::Route& route,
   results.trajectory_truth = true_poses(tour, modeler.trajectory());
 
   results.summary.correction_ms =
-      1e3 * seconds_of([&] { modeler.correct(results.trajectory_truth); });
+      1e3 * wall_seconds_of([&] { modeler.correct(results.trajectory_truth); });
   results.models.corrected_as_built = modeler.planes_as_built();
   results.models.corrected = modeler.planes();
   results.trajectory_after = modeler.trajectory();
   evaluate(results);
-  results.summary.points = for_each_cell(results.models, [&](const std::vector<Plane>& planes) {
+  results.summary.points = for_each_model(results.models, [&](const std::vector<Plane>& planes) {
     return point_metrics(truth.points, modeler, planes);
   });
   if (const auto errors = truth.points.ribbon_errors(modeler)) {

@@ -11,10 +11,10 @@
 
 namespace ribbon_mapper::eval {
 
-/// The paper's experiment in one process: a tour with noisy localisation is modelled on the way;
-/// at its end the model takes over the true trajectory (a virtual loop closure). The same arguments
-/// give the same planes, byte for byte; only times differ. `summary` names its command, world and
-/// route as the caller sets them. Throws what Tour and Modeler throw.
+/// Runs the paper's experiment in one process. A tour with noisy localisation is modelled; at its
+/// end the model is corrected by the true trajectory, a virtual loop closure. The planes are
+/// reproducible to the byte, the times are not. The caller sets `run` and `command` of the summary.
+/// Throws as sim::Tour and Modeler.
 Results run_experiment(const sim::World& world, const sim::Route& route,
                        const sim::TourConfig& tour, const ModelerConfig& modeler,
                        const ProgressCallback& progress);

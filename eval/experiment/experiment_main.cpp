@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 ribbon_mapper authors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// The paper's experiment without ROS: see `experiment --help`.
+// Runs the paper's experiment without ROS; see `experiment --help`.
 
 #include <cstdio>
 #include <exception>
@@ -12,9 +12,9 @@
 #include "eval/experiment/calibrate.hpp"
 #include "eval/experiment/experiment_options.hpp"
 #include "eval/experiment/run.hpp"
-#include "eval/experiment/sweep.hpp"
+#include "eval/experiment/series.hpp"
 #include "eval/results/run_log.hpp"
-#include "eval/results/spread.hpp"
+#include "eval/results/series_summary.hpp"
 #include "modeler/io/atomic_file.hpp"
 #include "modeler/io/calibrated_preset.hpp"
 #include "modeler/program/figure.hpp"
@@ -27,7 +27,7 @@ using namespace ribbon_mapper;
 using namespace ribbon_mapper::eval;
 
 void run_one(const ExperimentOptions& options) {
-  create_directory_for_files(options.output);  // better now than after the tour
+  create_directory_for_files(options.output);  // fails before the tour rather than after it
   Summary summary;
   {
     ProgressBar bar;
@@ -39,7 +39,7 @@ void run_one(const ExperimentOptions& options) {
   std::printf("%s\nresults in %s\n", summary_table(summary).c_str(), options.output.c_str());
 }
 
-/// For machines that share no disk: whoever started the runs gathers their lines.
+/// Prints lines of runs.jsonl, for gathering runs from machines without a shared disk.
 void print_lines(const ExperimentOptions& options) {
   ProgressBar bar;
   const auto line_of = [](const RunOptions& run, const ProgressCallback& progress) {
@@ -56,7 +56,7 @@ std::vector<RunOptions> missing_runs(const ExperimentOptions& options, const Run
   return missing;
 }
 
-void sweep(const ExperimentOptions& options, RunLog& log) {
+void make_missing_runs(const ExperimentOptions& options, RunLog& log) {
   const std::vector<RunOptions> missing = missing_runs(options, log);
   if (missing.size() < options.runs.size()) {
     std::printf("%zu of %zu runs are done already\n", options.runs.size() - missing.size(),
@@ -67,38 +67,39 @@ void sweep(const ExperimentOptions& options, RunLog& log) {
   std::mutex mutex;
   ProgressBar bar;
   const std::size_t label_width = label_width_of(options.runs);
-  bar.print(spread_head(label_width));
+  bar.print(series_table_head(label_width));
   const auto run_and_log = [&](const RunOptions& run, const ProgressCallback& progress) {
     const Summary summary = make_run(run, progress).summary;
     const std::string line = run_line(summary, inputs_of(run));
     const std::lock_guard<std::mutex> lock(mutex);
     log.append(line);
     timings << timing_line(summary) << std::flush;
-    return spread_row(label_of(run, options.runs), record_of(line), label_width);
+    return series_table_row(label_of(run, options.runs), parse_run_line(line), label_width);
   };
   make_runs(missing, options.jobs, run_and_log, bar);
 }
 
-void run_sweep(const ExperimentOptions& options) {
+void run_series(const ExperimentOptions& options) {
   create_directory_for_files(options.output);
   RunLog log(options.output / "runs.jsonl");
-  sweep(options, log);
+  make_missing_runs(options, log);
   log.sort();
-  const std::vector<Record> records = log.records_of(options.runs);
+  const std::vector<LoggedRun> runs = log.logged_runs(options.runs);
   write_file_atomically(options.output / "summary.json",
-                        sweep_summary_to_json(records, options.command));
-  const bool has_doses = records.front().run.drift != records.back().run.drift;
+                        series_summary_to_json(runs, options.command));
+  const bool has_doses = runs.front().run.drift != runs.back().run.drift;
   if (options.with_figure && has_doses) draw_figure(Figure::dose_response, options.output);
-  std::printf("%s\nresults in %s\n", spread_foot(records, label_width_of(options.runs)).c_str(),
+  std::printf("%s\nresults in %s\n", series_table_foot(runs, label_width_of(options.runs)).c_str(),
               options.output.c_str());
 }
 
-/// The preset, which names what it was learned from, and the figures.
+/// Learns the tolerances, writes a preset with them and prints the variances.
 void calibrate(const ExperimentOptions& options) {
   create_directory_for_files(options.output);
   RunOptions run = options.runs.front();
   if (run.route.empty()) {
-    run.route = find_shared(run.world).replace_extension().string() + "_calibration.route.yaml";
+    run.route =
+        find_installed_file(run.world).replace_extension().string() + "_calibration.route.yaml";
   }
   std::optional<Calibration> calibration;
   {
@@ -123,7 +124,7 @@ int main(int argc, char** argv) {
     } else if (chosen.line_only) {
       print_lines(chosen);
     } else {
-      chosen.is_sweep ? run_sweep(chosen) : run_one(chosen);
+      chosen.is_series ? run_series(chosen) : run_one(chosen);
     }
     return 0;
   } catch (const std::exception& error) {

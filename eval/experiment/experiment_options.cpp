@@ -20,18 +20,18 @@ namespace {
 constexpr std::size_t kMaxSeeds = 100'000;
 
 constexpr const char* kDescription =
-    "Drives a simulated PR2 through a world, models what its tilting laser sees with noisy poses,\n"
-    "corrects the trajectory at the end and measures the planes against the truth.\n"
-    "Without any option: the apartment, seed 1, into results/experiment.\n"
-    "With several seeds, or lists such as --drift 0,1,2: a sweep of all combinations. Each run is "
-    "a\n"
-    "line in <output>/runs.jsonl; runs that are there already are not made again.";
+    "Drives a simulated PR2 through a world, maps the scans of its tilting laser with noisy "
+    "poses,\n"
+    "corrects the trajectory at the end and compares the planes with the ground truth.\n"
+    "Without options it runs the apartment with seed 1 and writes results/experiment.\n"
+    "Several seeds, or lists such as --drift 0,1,2, make a series of runs with all combinations.\n"
+    "Each run adds a line to <output>/runs.jsonl; runs that are in it are not repeated.";
 
 constexpr const char* kFooter =
-    "A world, route or preset that is not in the current folder is looked for in the package.\n"
-    "Exit code: 0 done, 1 the experiment could not be done, 2 wrong usage.";
+    "Worlds, routes and presets are searched in the current folder, then in the package.\n"
+    "Exit codes: 0 success, 1 failure, 2 wrong usage.";
 
-/// The lists as they are given: a sweep is over all combinations.
+/// Lists as given on the command line; a series runs all their combinations.
 struct Lists {
   std::vector<std::string> worlds{RunOptions().world}, noises{RunOptions().noise},
       tilts{RunOptions().tilt}, deskews;
@@ -42,7 +42,7 @@ struct Lists {
   bool no_figure = false;
 };
 
-/// A check that says what `parse` throws.
+/// Returns a validator whose error message is that of the exception that `parse` throws.
 template <typename Parse>
 CLI::Validator accepted_by(Parse parse) {
   return CLI::Validator(
@@ -57,7 +57,7 @@ CLI::Validator accepted_by(Parse parse) {
       "");
 }
 
-/// CLI11's own range lets nan through.
+/// Checks a drift. CLI11's own range check accepts NaN.
 void require_drift(const std::string& text) {
   double drift = -1.0;
   if (CLI::detail::lexical_cast(text, drift) && drift >= 0.0 && drift <= 1000.0) return;
@@ -70,21 +70,21 @@ void require_speed(const std::string& text) {
   throw std::invalid_argument("'" + text + "' is not a number from 0.01 to 1");
 }
 
-/// CLI11 takes -1 for a very large number.
+/// Checks a seed. CLI11 would convert -1 to a very large number.
 void require_seed(const std::string& text) {
   const bool is_whole = text.find_first_not_of("0123456789") == std::string::npos;
   if (is_whole && !text.empty() && text.size() <= 18) return;
-  throw std::invalid_argument("'" + text + "' is not a whole number from 0 on");
+  throw std::invalid_argument("'" + text + "' is not an integer from 0 on");
 }
 
 void add_run_options(CLI::App& app, RunOptions& run) {
-  app.add_option("--route", run.route, "route [<world>.route.yaml, beside the world]");
+  app.add_option("--route", run.route, "route file [<world>.route.yaml, beside the world]");
   app.add_option("--config", run.config, "preset of the modeler")->capture_default_str();
   app.add_option("--caster", run.caster, "library that casts the laser's rays: bullet or embree")
       ->check(accepted_by(sim::ray_caster_kind_from))
       ->capture_default_str();
   app.add_option("--model-path", run.model_paths,
-                 "folder for model:// URIs, before GAZEBO_MODEL_PATH; may be repeated");
+                 "folder for model:// URIs, searched before GAZEBO_MODEL_PATH; may be repeated");
 }
 
 template <typename Value>
@@ -94,46 +94,51 @@ CLI::Option* add_list(CLI::App& app, const char* name, std::vector<Value>& value
 }
 
 void add_list_options(CLI::App& app, Lists& lists) {
-  app.option_defaults()->group("Options; lists (a,b,c) are swept");
-  add_list(app, "--world", lists.worlds, "SDF world")->capture_default_str();
-  add_list(app, "--drift", lists.drifts, "scale of the localisation noise, 1: gmapping's")
+  app.option_defaults()->group("Options that take lists (a,b,c): a series runs all combinations");
+  add_list(app, "--world", lists.worlds, "SDF world file")->capture_default_str();
+  add_list(app, "--drift", lists.drifts, "scale of the localisation noise; 1 is gmapping's")
       ->check(accepted_by(require_drift))
       ->capture_default_str();
-  add_list(app, "--noise", lists.noises, "of the laser: datasheet, gazebo, pomerleau or none")
+  add_list(app, "--noise", lists.noises,
+           "range noise of the laser: datasheet, gazebo, pomerleau or none")
       ->check(accepted_by(sim::range_noise_from))
       ->capture_default_str();
-  add_list(app, "--tilt", lists.tilts, "of the laser: manip, nav or slow")
+  add_list(app, "--tilt", lists.tilts, "tilt profile of the laser: manip, nav or slow")
       ->check(accepted_by(sim::TiltProfileConfig::preset))
       ->capture_default_str();
-  add_list(app, "--beams", lists.beams, "a quarter of a degree apart: 3 to 1080 [the PR2's 381]")
+  add_list(app, "--beams", lists.beams,
+           "number of beams, 0.25 degrees apart: 3 to 1080 [the PR2's 381]")
       ->check(CLI::Range(3, 1080).description(""));
   add_list(app, "--speed", lists.speeds_m_s,
-           "of the robot: 0.01 to 1 m/s; turns are scaled alike [the route's]")
+           "speed of the robot, 0.01 to 1 m/s; scales the turn rate alike [the route's]")
       ->check(accepted_by(require_speed));
-  add_list(app, "--deskew", lists.deskews, "on or off: beams at their own times [as the preset]")
+  add_list(app, "--deskew", lists.deskews,
+           "place each beam at its own time: on or off [the preset's]")
       ->check(CLI::IsMember({"on", "off"}).description(""));
   app.option_defaults()->group("Options");
-  auto* seed = app.add_option("--seed", lists.seed, "of all noise")
+  auto* seed = app.add_option("--seed", lists.seed, "seed of all noise")
                    ->check(accepted_by(require_seed))
                    ->capture_default_str();
-  app.add_option("--seeds", lists.seeds, "several, such as 1-20 or 1,3,5")
+  app.add_option("--seeds", lists.seeds, "several seeds, such as 1-20 or 1,3,5")
       ->check(accepted_by(seeds_from))
       ->excludes(seed);
 }
 
 void add_output_options(CLI::App& app, ExperimentOptions& options, bool& no_figure) {
   app.add_option("--output", options.output, "folder for the results")->capture_default_str();
-  app.add_option("--jobs", options.jobs, "runs at a time; times are exact only with 1")
+  app.add_option("--jobs", options.jobs,
+                 "number of runs at a time; measured times are exact only with 1")
       ->check(CLI::Range(1, 256).description(""))
       ->capture_default_str();
-  app.add_flag("--no-figure", no_figure, "draw nothing");
+  app.add_flag("--no-figure", no_figure, "draw no figure");
   app.add_flag("--line", options.line_only,
-               "print the lines of runs.jsonl and write no files, for runs on many machines");
-  app.add_flag("--calibrate", options.calibrate,
-               "learn V_sensor, V_slam and the tolerances before a known plane, write a preset");
+               "print the lines of runs.jsonl and write no files, for runs on several machines");
+  app.add_flag(
+      "--calibrate", options.calibrate,
+      "learn V_sensor, V_slam and the tolerances in front of a known plane, write a preset");
 }
 
-/// Each run once with each of the values; as they are without any.
+/// Replaces each run by one run per value. Without values, leaves the runs unchanged.
 template <typename Value, typename Set>
 void combine(std::vector<RunOptions>& runs, const std::vector<Value>& values, const Set& set) {
   if (values.empty()) return;
@@ -158,7 +163,7 @@ std::vector<RunOptions> combinations(const Lists& lists, const RunOptions& commo
   return runs;
 }
 
-/// What cannot be said of one option alone.
+/// Checks options against each other.
 void require_fitting(const Lists& lists, const RunOptions& common) {
   if (lists.worlds.size() > 1 && !common.route.empty()) {
     throw CLI::ValidationError("--route", "one route does not fit several worlds: leave it out");
@@ -171,7 +176,7 @@ std::string joined(int argc, const char* const* argv) {
   return command;
 }
 
-/// Folders of the environment come after those of the command line.
+/// Appends the folders of the environment to those of the command line.
 void add_gazebo_paths(std::vector<std::string>& model_paths) {
   const char* list = std::getenv("GAZEBO_MODEL_PATH");
   if (list == nullptr) return;
@@ -197,7 +202,7 @@ std::variant<ExperimentOptions, int> parse_experiment_options(int argc, const ch
   }
   add_gazebo_paths(common.model_paths);
   options.runs = combinations(lists, common);
-  options.is_sweep = !lists.seeds.empty() || options.runs.size() > 1;
+  options.is_series = !lists.seeds.empty() || options.runs.size() > 1;
   options.with_figure = !lists.no_figure;
   options.command = joined(argc, argv);
   return options;

@@ -13,24 +13,25 @@
 
 namespace ribbon_mapper::eval {
 
-/// What a user of `experiment` can choose.
+/// Command line options of `experiment`.
 struct ExperimentOptions {
-  std::vector<RunOptions> runs{RunOptions()};  ///< every combination of the lists that were given
-  bool is_sweep = false;  ///< several runs, or `--seeds`: a line for each, and figures over all
-  std::size_t jobs = 1;
+  std::vector<RunOptions> runs{RunOptions()};  ///< all combinations of the given lists
+  bool is_series = false;  ///< several runs or `--seeds`: writes runs.jsonl and a summary
+  std::size_t jobs = 1;    ///< runs at a time
 
-  std::filesystem::path output = "results/experiment";
-  bool with_figure = true;
-  bool line_only = false;  ///< print the lines of runs.jsonl, write nothing
-  bool calibrate = false;  ///< learn tolerances instead
-  std::string command;     ///< as it was given
+  std::filesystem::path output = "results/experiment";  ///< folder for the results
+  bool with_figure = true;                              ///< draw a figure
+  bool line_only = false;  ///< print the lines of runs.jsonl, write no files
+  bool calibrate = false;  ///< learn the tolerances instead
+  std::string command;     ///< the command line as given
 };
 
-/// The options, or the exit code of a program that has said what was to be said (0: help, 2:
-/// usage).
+/// Parses the command line. Returns the exit code instead if the program is to end: 0 after --help,
+/// 2 after an error message about wrong usage.
 std::variant<ExperimentOptions, int> parse_experiment_options(int argc, const char* const* argv);
 
-/// Seeds of a list such as "1-20" or "1,3,7..9". Throws std::invalid_argument that shows the form.
+/// Parses a list of seeds such as "1-20" or "1,3,7..9" into ascending unique seeds. Throws
+/// std::invalid_argument with an example of the form.
 std::vector<std::uint64_t> seeds_from(const std::string& list);
 
 }  // namespace ribbon_mapper::eval

@@ -20,16 +20,17 @@ sim::TourConfig tour_config(const RunOptions& run) {
 }
 
 ModelerConfig modeler_config(const RunOptions& run) {
-  ModelerConfig config = load_config(find_shared(run.config).string());
+  ModelerConfig config = load_config(find_installed_file(run.config).string());
   if (run.deskew) config.scan.deskew = *run.deskew;
   return config;
 }
 
-/// Neither the contact test of a world nor its reader is for several threads at once.
+// Neither Bullet's contact test nor the SDF reader is thread-safe, hence the lock and a world for
+// each run.
 sim::World load_world(const RunOptions& run) {
   static std::mutex mutex;
   const std::lock_guard<std::mutex> lock(mutex);
-  return sim::World::load(find_shared(run.world).string(), run.model_paths,
+  return sim::World::load(find_installed_file(run.world).string(), run.model_paths,
                           sim::ray_caster_kind_from(run.caster));
 }
 
@@ -42,7 +43,7 @@ Results make_run(const RunOptions& run, const ProgressCallback& progress) {
   const ModelerConfig config = modeler_config(run);
   const sim::World world = load_world(run);
   Results results = run_experiment(world, load_route(run), tour_config(run), config, progress);
-  results.summary.run = recorded(run);
+  results.summary.run = with_portable_names(run);
   results.summary.command = command_of(run);
   return results;
 }

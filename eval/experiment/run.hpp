@@ -7,20 +7,20 @@
 
 namespace ribbon_mapper::eval {
 
-/// The simulated tour that these options ask for.
+/// Returns the configuration of the simulated tour.
 sim::TourConfig tour_config(const RunOptions& run);
 
-/// The preset of these options. Throws std::invalid_argument as load_config() does.
+/// Loads the preset and applies the options to it. Throws std::invalid_argument as load_config().
 ModelerConfig modeler_config(const RunOptions& run);
 
-/// The world of these options, for one thread alone. Throws what World::load() throws.
+/// Loads the world; it must not be shared by threads. Throws as sim::World::load().
 sim::World load_world(const RunOptions& run);
 
-/// The route at the speed that was asked for. Throws what Route::load() throws.
+/// Loads the route at the speed of the options. Throws as sim::Route::load().
 sim::Route load_route(const RunOptions& run);
 
-/// run_experiment() with what the options name. Throws std::runtime_error or std::invalid_argument
-/// that says what is wrong with a file or a value.
+/// Runs the experiment with the files and values of the options. Throws std::runtime_error or
+/// std::invalid_argument that names the faulty file or value.
 Results make_run(const RunOptions& run, const ProgressCallback& progress);
 
 }  // namespace ribbon_mapper::eval

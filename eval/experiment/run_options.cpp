@@ -35,15 +35,17 @@ std::string quoted(const std::string& text) {
   return text.find_first_of(" \t'\"$&;()*?") == std::string::npos ? text : "'" + text + "'";
 }
 
-/// All but the seed, in the order that sorts runs.
+/// Returns everything but the seed, in the order of comes_before().
 auto conditions_of(const RunOptions& r) {
   return std::tie(r.world, r.route, r.config, r.model_paths, r.noise, r.tilt, r.caster, r.beams,
                   r.speed_m_s, r.deskew, r.drift);
 }
 
-/// Name and value of the options that can be swept, as the command line has them.
+/// Name and value of an option on the command line.
 using Option = std::array<std::string, 2>;
-std::vector<Option> swept_options(const RunOptions& r) {
+
+/// Returns the options that may differ within a series.
+std::vector<Option> varied_options(const RunOptions& r) {
   return {{"world", r.world},
           {"config", r.config},
           {"noise", r.noise},
@@ -57,21 +59,22 @@ std::vector<Option> swept_options(const RunOptions& r) {
 
 std::string content_of(const std::filesystem::path& path) {
   std::ifstream file(path, std::ios::binary);
-  if (!file) throw std::runtime_error(path.string() + ": cannot be read: is there such a file?");
+  if (!file) throw std::runtime_error(path.string() + ": cannot be read: does the file exist?");
   return {std::istreambuf_iterator<char>(file), {}};
 }
 
 }  // namespace
 
 std::filesystem::path route_path(const RunOptions& run) {
-  if (!run.route.empty()) return find_shared(run.route);
-  return find_shared(run.world).replace_extension(".route.yaml");
+  if (!run.route.empty()) return find_installed_file(run.route);
+  return find_installed_file(run.world).replace_extension(".route.yaml");
 }
 
 std::string command_of(const RunOptions& run) {
   const RunOptions defaults;
   std::ostringstream command;
-  command << "rosrun ribbon_mapper experiment --world " << quoted(shared_name(run.world).string());
+  command << "rosrun ribbon_mapper experiment --world "
+          << quoted(portable_name(run.world).string());
   const auto add = [&](const char* name, const std::string& value, const std::string& unless) {
     if (value != unless) command << " " << name << " " << quoted(value);
   };
@@ -88,12 +91,12 @@ std::string command_of(const RunOptions& run) {
   return command.str();
 }
 
-RunOptions recorded(const RunOptions& run) {
+RunOptions with_portable_names(const RunOptions& run) {
   RunOptions named = run;
-  named.world = shared_name(find_shared(run.world)).string();
-  named.route = shared_name(route_path(run)).string();
-  named.config = shared_name(find_shared(run.config)).string();
-  named.model_paths.clear();  // they differ from machine to machine
+  named.world = portable_name(find_installed_file(run.world)).string();
+  named.route = portable_name(route_path(run)).string();
+  named.config = portable_name(find_installed_file(run.config)).string();
+  named.model_paths.clear();  // differ between machines
   return named;
 }
 
@@ -107,21 +110,22 @@ bool is_repetition(const RunOptions& a, const RunOptions& b) {
 }
 
 std::string label_of(const RunOptions& run, const std::vector<RunOptions>& among) {
-  const std::vector<Option> own = swept_options(run);
+  const std::vector<Option> own = varied_options(run);
   std::string label;
   for (std::size_t i = 0; i < own.size(); ++i) {
     const bool is_common = std::all_of(among.begin(), among.end(), [&](const RunOptions& other) {
-      return swept_options(other)[i] == own[i];
+      return varied_options(other)[i] == own[i];
     });
     if (!is_common) label += own[i][0] + " " + own[i][1] + ", ";
   }
   return label + "seed " + std::to_string(run.seed);
 }
 
-/// FNV-1a, which is the same on all machines.
+// FNV-1a gives the same hash on all machines.
 std::string inputs_of(const RunOptions& run) {
   std::uint64_t hash = 0xcbf29ce484222325u;
-  for (const auto& path : {find_shared(run.world), route_path(run), find_shared(run.config)}) {
+  for (const auto& path :
+       {find_installed_file(run.world), route_path(run), find_installed_file(run.config)}) {
     for (const char byte : content_of(path) + '\0') {
       hash = (hash ^ static_cast<unsigned char>(byte)) * 0x100000001b3u;
     }

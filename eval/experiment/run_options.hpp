@@ -10,43 +10,45 @@
 
 namespace ribbon_mapper::eval {
 
-/// One run of the experiment: all that its result depends on.
+/// Conditions of one run of the experiment: everything that its result depends on.
 struct RunOptions {
-  std::string world = "worlds/apartment.sdf";
-  std::string route;  ///< empty: beside the world, <name>.route.yaml
-  std::string config = "config/pr2.yaml";
-  std::vector<std::string> model_paths;
-  std::uint64_t seed = 1;  ///< of all noise
-  double drift = 3.0;      ///< where the paper's 110 planes come from
-  std::string noise = "datasheet";
-  std::string tilt = "manip";
-  std::string caster = "bullet";  ///< library that casts the rays, see sim::RayCasterKind
-  // Nothing: as the PR2, the route and the preset have it.
-  std::optional<int> beams;         ///< a quarter of a degree apart
-  std::optional<double> speed_m_s;  ///< the route's turn rate is scaled alike
-  std::optional<bool> deskew;
+  std::string world = "worlds/apartment.sdf";  ///< SDF file
+  std::string route;                           ///< file; if empty, <world>.route.yaml
+  std::string config = "config/pr2.yaml";      ///< preset of the modeler
+  std::vector<std::string> model_paths;        ///< folders for model:// URIs
+  std::uint64_t seed = 1;                      ///< seed of all noise
+  /// Scale of the localisation noise, 1 for gmapping's. 3 reproduces the 110 planes of the paper.
+  double drift = 3.0;
+  std::string noise = "datasheet";  ///< name of the range noise, see sim::range_noise_from()
+  std::string tilt = "manip";       ///< name of a sim::TiltProfileConfig::preset()
+  std::string caster = "bullet";    ///< name of a ray caster, see sim::ray_caster_kind_from()
+  std::optional<int> beams;         ///< number, 0.25 degrees apart; if empty, the PR2's
+  std::optional<double> speed_m_s;  ///< scales the turn rate alike; if empty, the route's
+  std::optional<bool> deskew;       ///< if empty, as in the preset
 };
 
-/// Where the route of these options is.
+/// Returns the path of the route file.
 std::filesystem::path route_path(const RunOptions& run);
 
-/// The command that makes the run again.
+/// Returns the command that repeats the run.
 std::string command_of(const RunOptions& run);
 
-/// As it is written down: files by names that other machines can follow.
-RunOptions recorded(const RunOptions& run);
+/// Returns the options with files named by portable_name() and without model paths, as they are
+/// logged.
+RunOptions with_portable_names(const RunOptions& run);
 
-/// The order of runs in a sweep's files: by world and the other options, the seed last.
+/// Defines the order of runs in the files of a series: by conditions, then by seed.
 bool comes_before(const RunOptions& a, const RunOptions& b);
 
-/// What differs between runs of a sweep, and their seed, such as "drift 0.5, seed 3".
+/// Returns the options in which `run` differs from others of its series, and the seed, such as
+/// "drift 0.5, seed 3".
 std::string label_of(const RunOptions& run, const std::vector<RunOptions>& among);
 
-/// True if the two differ in nothing but their seeds.
+/// Returns true if the two differ at most in their seeds.
 bool is_repetition(const RunOptions& a, const RunOptions& b);
 
-/// A fingerprint of the contents of the world's file, the route and the preset, which may change
-/// under their names. Throws std::runtime_error naming a file that cannot be read.
+/// Returns a fingerprint of the contents of world, route and preset. Throws std::runtime_error that
+/// names a file that cannot be read.
 std::string inputs_of(const RunOptions& run);
 
 }  // namespace ribbon_mapper::eval

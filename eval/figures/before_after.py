@@ -1,7 +1,8 @@
 # SPDX-FileCopyrightText: 2026 ribbon_mapper authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""Top view of a model before and after the correction of its trajectory, to scale, as figure 8 of
-the paper: planes projected on the ground.
+"""Draws top views of a model before and after the correction of its trajectory, to scale.
+
+Planes are projected on the ground, as in figure 8 of the paper.
 
 Usage: python3 before_after.py DIRECTORY
 
@@ -24,13 +25,13 @@ from matplotlib.patches import Patch  # noqa: E402
 WIDTH_IN = 8.0
 TITLES_IN, LEGEND_IN = 0.68, 0.34
 MARGIN_M = 0.3
-WALL_MAX_NORMAL_Z = 0.5  # steeper than 60 degrees: shown by its edge
-FLOOR_MIN_AREA_M2 = 10.0  # a flat plane larger than this is a floor or a ceiling
-MAX_LIGHT = 0.62  # of a colour on white paper
-STROKE_PT = 1.5  # both sides of a thin wall can be told apart
+WALL_MAX_NORMAL_Z = 0.5  # planes steeper than 60 degrees are drawn as lines
+FLOOR_MIN_AREA_M2 = 10.0  # level planes from this area on are floors or ceilings
+MAX_LIGHT = 0.62  # greatest lightness of a colour on white paper
+STROKE_PT = 1.5  # thin enough to distinguish both sides of a wall
 WORLD = {"color": "0.7", "linewidth": 0.5}
 FLOOR = (0.5, 0.5, 0.5, 0.07)
-BELIEVED = {"color": "tab:red", "linewidth": 1.0}
+ESTIMATED = {"color": "tab:red", "linewidth": 1.0}
 TRUE = {"color": "black", "linewidth": 0.8, "linestyle": (0, (4, 3))}
 
 
@@ -39,7 +40,7 @@ def load_json(path):
 
 
 def load_trajectory(path):
-    """x and y of a TUM file [m]."""
+    """Returns x and y of the poses in a TUM file [m]."""
     rows = [line.split() for line in path.read_text(encoding="utf-8").splitlines()
             if line.strip() and not line.startswith("#")]
     return [float(row[1]) for row in rows], [float(row[2]) for row in rows]
@@ -50,14 +51,14 @@ def on_ground(plane):
 
 
 def on_paper(colour):
-    """The colour, darker where it would be too light for a thin line."""
+    """Returns the colour, darkened if it is too light for a thin line."""
     red, green, blue = matplotlib.colors.to_rgb(colour)
     light = 0.30 * red + 0.59 * green + 0.11 * blue
     return tuple(c * min(1.0, MAX_LIGHT / max(light, 1e-6)) for c in (red, green, blue))
 
 
 def draw_level_planes(axes, planes, colour_of):
-    """Floors as a hint, table tops as areas; the large ones below the small ones."""
+    """Draws floors faintly and table tops as areas, larger ones below smaller ones."""
     for plane in sorted(planes, key=lambda p: -p["area"]):
         is_floor = plane["area"] > FLOOR_MIN_AREA_M2
         colour = colour_of(plane)
@@ -81,24 +82,25 @@ def draw_world(axes, outlines):
                                        linewidths=WORLD["linewidth"]))
 
 
-def draw_trajectories(axes, believed, truth):
-    axes.plot(*believed, zorder=4, **BELIEVED)
+def draw_trajectories(axes, estimate, truth):
+    axes.plot(*estimate, zorder=4, **ESTIMATED)
     axes.plot(*truth, zorder=5, **TRUE)
     if truth[0]:
         axes.plot(truth[0][0], truth[1][0], "o", color="black", markersize=3.5, zorder=6)
 
 
 def draw_scale_bar(axes, box):
-    """A round length of about a fifth of the width, in the lower left corner below the world."""
+    """Draws a bar of a round length, about a fifth of the width, at the lower left."""
     width = box[1] - box[0]
     length = max((n for n in (0.1, 0.2, 0.5, 1, 2, 5, 10, 20, 50) if n <= 0.2 * width), default=0.1)
     x, y = box[0] + MARGIN_M, box[2] + 0.022 * width
-    axes.plot([x, x + length], [y, y], color="black", linewidth=1.8, solid_capstyle="butt", zorder=7)
+    axes.plot([x, x + length], [y, y], color="black", linewidth=1.8, solid_capstyle="butt",
+              zorder=7)
     axes.text(x + length + 0.012 * width, y, f"{length:g} m", va="center", zorder=7)
 
 
 def box_around(outlines, *plane_lists):
-    """Box around everything and the scale bar [m]: (x_min, x_max, y_min, y_max)."""
+    """Returns (x_min, x_max, y_min, y_max) of everything with the scale bar [m]."""
     points = [point for outline in outlines for point in outline]
     points += [point for planes in plane_lists for p in planes for point in on_ground(p)]
     xs, ys = zip(*points) if points else ((0, 1), (0, 1))
@@ -112,7 +114,7 @@ def add_legend(figure):
         Patch(facecolor=(0.58, 0.40, 0.74, 0.3), edgecolor="tab:purple", linewidth=0.7,
               label="level plane"),
         Line2D([], [], label="world", **WORLD),
-        Line2D([], [], label="believed trajectory", **BELIEVED),
+        Line2D([], [], label="estimated trajectory", **ESTIMATED),
         Line2D([], [], label="true trajectory", **TRUE),
     ]
     figure.legend(handles=handles, loc="lower center", ncol=len(handles), frameon=False,
@@ -123,20 +125,21 @@ def counted(number, singular, plural):
     return f"{number} {singular if number == 1 else plural}"
 
 
-def findings(cell, truth):
-    return (f"{cell['matched']} of {counted(truth, 'true plane', 'true planes')} found, "
-            f"{counted(cell['duplicates'], 'duplicate', 'duplicates')}, {cell['extra']} extra")
+def findings(metrics, truth):
+    return (f"{metrics['matched']} of {counted(truth, 'true plane', 'true planes')} found, "
+            f"{counted(metrics['duplicates'], 'duplicate', 'duplicates')}, "
+            f"{metrics['extra']} extra")
 
 
 def titles_of(summary):
-    """Per panel: its title, and the lines below."""
-    cells, truth = summary["four_cells"], summary["truth_planes"]
-    raw, before, after = cells["noisy_as_built"], cells["noisy"], cells["corrected"]
+    """Returns the title and the text below it for each panel."""
+    models, truth = summary["four_models"], summary["truth_planes"]
+    as_built, before, after = models["noisy_as_built"], models["noisy"], models["corrected"]
     return [(f"Before the correction: {counted(before['planes'], 'plane', 'planes')}",
-             f"merged and filtered; as built on the way: {raw['planes']}\n"
+             f"final planes; as built during the tour: {as_built['planes']}\n"
              f"{findings(before, truth)}"),
             (f"After the correction: {counted(after['planes'], 'plane', 'planes')}",
-             f"merged and filtered; truth: {truth}\n{findings(after, truth)}")]
+             f"final planes; truth: {truth}\n{findings(after, truth)}")]
 
 
 def figure_height(box):
@@ -176,10 +179,10 @@ def draw(directory):
 
     box = box_around(data["world_outlines"], *planes)
     figure, panels = new_panels(box)
-    for axes, title, model, believed in zip(panels, titles, planes, (before, after)):
+    for axes, title, model, estimate in zip(panels, titles, planes, (before, after)):
         draw_world(axes, data["world_outlines"])
         draw_planes(axes, model, colour_of)
-        draw_trajectories(axes, believed, truth)
+        draw_trajectories(axes, estimate, truth)
         set_title(axes, *title)
     draw_scale_bar(panels[0], box)
     add_legend(figure)

@@ -1,13 +1,14 @@
 # SPDX-FileCopyrightText: 2026 ribbon_mapper authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""Dose and response: how many planes a model has, and how right they are, against the drift of the
-localisation. Medians over the seeds, with bands from the lower to the upper quartile.
+"""Draws number and correctness of planes over the drift of the localisation (dose and response).
+
+Curves are medians over the seeds; bands range from the lower to the upper quartile.
 
 Usage: python3 dose_response.py DIRECTORY
 
-Reads summary.json of a sweep over drifts from DIRECTORY, as the experiment writes it, and writes
-dose_response.svg and dose_response.png there. Of a sweep over more than drifts, it shows the runs
-whose other conditions are those of the first group.
+Reads summary.json of a series with several drifts from DIRECTORY, as the experiment writes it, and
+writes dose_response.svg and dose_response.png there. If other conditions vary as well, only runs
+with those of the first group are shown.
 """
 
 import json
@@ -19,13 +20,13 @@ from figure_files import matplotlib, save_both
 import matplotlib.pyplot as plt  # noqa: E402 (needs the backend)
 
 CONDITIONS = ("world", "route", "config", "noise", "tilt", "beams", "speed_m_s", "deskew")
-CELLS = {  # name: label, style
+MODELS = {  # name: label, style
     "noisy_as_built": ("noisy, as built", {"color": "tab:red", "marker": "o"}),
-    "noisy": ("noisy, merged (control)", {"color": "tab:orange", "marker": "s"}),
+    "noisy": ("noisy, final (control)", {"color": "tab:orange", "marker": "s"}),
     "corrected_as_built": ("corrected, as built", {"color": "tab:blue", "marker": "^"}),
-    "corrected": ("corrected, merged", {"color": "tab:green", "marker": "D"}),
+    "corrected": ("corrected, final", {"color": "tab:green", "marker": "D"}),
 }
-PANELS = (  # key within a cell, title, axis
+PANELS = (  # key of a metric, title, axis label
     ("planes", "Number of planes", "planes"),
     ("f1", "Agreement of the planes with the truth", "F1 of the planes"),
     ("segcomp.correct_points_share", "Points in correct planes (SegComp, 80 %)",
@@ -34,29 +35,29 @@ PANELS = (  # key within a cell, title, axis
 
 
 def groups_of(summary):
-    """One group for each drift, in their order."""
+    """Returns one group per drift, in ascending order."""
     first = summary["groups"][0]
     same = [g for g in summary["groups"] if all(g[c] == first[c] for c in CONDITIONS)]
     return sorted(same, key=lambda group: group["drift"])
 
 
-def draw_cell(axes, groups, cell, key):
-    label, style = CELLS[cell]
-    spreads = [group["spread"][f"four_cells.{cell}.{key}"] for group in groups]
+def draw_model(axes, groups, model, key):
+    label, style = MODELS[model]
+    values = [group["distribution"][f"four_models.{model}.{key}"] for group in groups]
     drifts = [group["drift"] for group in groups]
-    axes.fill_between(drifts, [s["lower_quartile"] for s in spreads],
-                      [s["upper_quartile"] for s in spreads], color=style["color"], alpha=0.2,
+    axes.fill_between(drifts, [v["lower_quartile"] for v in values],
+                      [v["upper_quartile"] for v in values], color=style["color"], alpha=0.2,
                       linewidth=0)
-    axes.plot(drifts, [s["median"] for s in spreads], label=label, markersize=4, linewidth=1.2,
+    axes.plot(drifts, [v["median"] for v in values], label=label, markersize=4, linewidth=1.2,
               **style)
 
 
 def median_of(group, key):
-    return group["spread"][key]["median"]
+    return group["distribution"][key]["median"]
 
 
 def draw_end_errors(axes, groups):
-    """What a drift means: how far off the robot believed to be at the end."""
+    """Adds an upper axis with the median error of the last pose for each drift."""
     top = axes.secondary_xaxis("top")
     top.set_xticks([g["drift"] for g in groups],
                    [f"{median_of(g, 'end_drift_m'):.1f} m\n{median_of(g, 'end_drift_deg'):.0f}°"
@@ -69,8 +70,8 @@ def draw(directory):
     groups = groups_of(summary)
     figure, panels = plt.subplots(1, len(PANELS), figsize=(9.6, 3.6))
     for axes, (key, title, name) in zip(panels, PANELS):
-        for cell in CELLS:
-            draw_cell(axes, groups, cell, key)
+        for model in MODELS:
+            draw_model(axes, groups, model, key)
         axes.set_xlabel("drift (1: gmapping's noise on the PR2)")
         axes.set_xticks([group["drift"] for group in groups])
         axes.set_ylabel(name)

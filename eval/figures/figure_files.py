@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: 2026 ribbon_mapper authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""What all figures have in common: matplotlib without a screen, and files that are whole."""
+"""Shared by all figures: matplotlib without a display, and atomic replacement of files."""
 
 import os
 import sys
@@ -13,13 +13,13 @@ except ImportError:
 matplotlib.use("Agg")
 matplotlib.rcParams.update({
     "font.size": 8,
-    "svg.hashsalt": "ribbon_mapper",  # the same run gives the same bytes
+    "svg.hashsalt": "ribbon_mapper",  # makes the bytes reproducible
     "svg.fonttype": "none",
 })
 
 
 def save(figure, path, **options):
-    """The old file stays until the new one is whole."""
+    """Replaces the file only after the new one is complete."""
     temporary = path.with_name(f".{path.name}.tmp")
     try:
         figure.savefig(temporary, format=path.suffix[1:], **options)
@@ -29,6 +29,6 @@ def save(figure, path, **options):
 
 
 def save_both(figure, path):
-    """`path` without its ending."""
+    """Saves SVG and PNG; `path` has no suffix."""
     save(figure, path.with_suffix(".svg"), metadata={"Date": None})
     save(figure, path.with_suffix(".png"), dpi=200)

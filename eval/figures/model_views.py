@@ -1,7 +1,6 @@
 # SPDX-FileCopyrightText: 2026 ribbon_mapper authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""A model seen from above and from the side, to scale: the cells that were seen of each plane, and
-the outlines of the planes.
+"""Draws a model to scale in a top and a side view: the observed cells and outlines of its planes.
 
 Usage: python3 model_views.py DIRECTORY [FILE.png]
 
@@ -27,9 +26,9 @@ from matplotlib.collections import LineCollection, PolyCollection  # noqa: E402
 WIDTH_IN = 8.0
 TITLE_IN, GAP_IN = 0.75, 0.35
 MARGIN_M = 0.3
-LABELLED_M2 = 1.0  # planes at least this large are named
+LABELLED_M2 = 1.0  # planes from this area on get a label
 LEVEL_NORMAL_Z = 0.5
-CEILING_NORMAL_Z = -0.5  # seen from below: from above only its outline is drawn
+CEILING_NORMAL_Z = -0.5  # ceilings are drawn as outlines in the top view
 
 plt.rcParams.update({"font.size": 8})
 
@@ -39,7 +38,7 @@ def load_json(path):
 
 
 def load_cells(path):
-    """Points [m] and colours (0..1) of a PLY cloud, binary or ASCII."""
+    """Returns points [m], colours (0..1) and plane ids of a PLY cloud, binary or ASCII."""
     data = path.read_bytes()
     header, body = data.split(b"end_header\n", 1)
     lines = header.decode("ascii").splitlines()
@@ -59,14 +58,14 @@ def load_cells(path):
 
 
 def views_of(points):
-    """Title, axis to the right, axis upwards of each view; the longer of x and y to the right."""
+    """Returns title, right axis and up axis of each view; the longer of x and y points right."""
     extent = numpy.ptp(points, axis=0)
     right, other = (0, 1) if extent[0] >= extent[1] else (1, 0)
     return [("from above", right, other), ("from the side", right, 2)]
 
 
 def draw_cells(axes, places, colours, side_m):
-    """Squares of that side; side 0: dots."""
+    """Draws cells as squares with this side, or as dots for side 0."""
     if side_m == 0.0:
         axes.scatter(*places.T, s=1.0, c=colours, linewidths=0, zorder=3, rasterized=True)
         return
@@ -77,25 +76,25 @@ def draw_cells(axes, places, colours, side_m):
 
 
 def draw_plane(axes, view, plane, points, colours):
-    """What faces the eye as its cells, what is seen edge-on as dots; a ceiling as an outline."""
+    """Draws planes that face the view as cells, edge-on planes as dots, ceilings as outlines."""
     _, right, up = view
     depth = ({0, 1, 2} - {right, up}).pop()
     faces = abs(plane["normal"][depth]) > LEVEL_NORMAL_Z
-    is_lid = depth == 2 and plane["normal"][2] < CEILING_NORMAL_Z
+    is_ceiling = depth == 2 and plane["normal"][2] < CEILING_NORMAL_Z
     outline = [(p[right], p[up]) for p in plane["outline"] + plane["outline"][:1]]
-    axes.add_collection(LineCollection([outline], colors=[colours[0] if is_lid else "black"],
-                                       linewidths=0.8 if is_lid else 0.4, zorder=4,
-                                       linestyles="dashed" if is_lid else "solid"))
-    if not is_lid:
+    axes.add_collection(LineCollection([outline], colors=[colours[0] if is_ceiling else "black"],
+                                       linewidths=0.8 if is_ceiling else 0.4, zorder=4,
+                                       linestyles="dashed" if is_ceiling else "solid"))
+    if not is_ceiling:
         side_m = (plane["area"] / len(points)) ** 0.5 if faces else 0.0
         draw_cells(axes, points[:, [right, up]], colours, side_m)
 
 
 def label(axes, view, plane, colour):
     x, y = (plane["centroid"][axis] for axis in view[1:])
-    is_lid = view[2] != 2 and plane["normal"][2] < CEILING_NORMAL_Z
-    axes.annotate(f"{'ceiling ' if is_lid else ''}{plane['area']:.1f} m²", (x, y),
-                  (0, 8 if is_lid else 0), textcoords="offset points", ha="center", va="center",
+    is_ceiling = view[2] != 2 and plane["normal"][2] < CEILING_NORMAL_Z
+    axes.annotate(f"{'ceiling ' if is_ceiling else ''}{plane['area']:.1f} m²", (x, y),
+                  (0, 8 if is_ceiling else 0), textcoords="offset points", ha="center", va="center",
                   fontsize=6, color=0.6 * colour, zorder=5,
                   bbox={"boxstyle": "round,pad=0.1", "fc": "white", "lw": 0, "alpha": 0.7})
 
@@ -103,10 +102,10 @@ def label(axes, view, plane, colour):
 def draw_view(axes, view, planes, cells):
     points, colours, ids = cells
     for plane in sorted(planes, key=lambda p: -p["area"]):
-        mine = ids == plane["id"]
-        draw_plane(axes, view, plane, points[mine], colours[mine])
+        own = ids == plane["id"]
+        draw_plane(axes, view, plane, points[own], colours[own])
         if plane["area"] >= LABELLED_M2 or len(planes) <= 8:
-            label(axes, view, plane, colours[mine][0])
+            label(axes, view, plane, colours[own][0])
 
 
 def limits(points, axis):
@@ -149,7 +148,7 @@ def draw(directory):
 
 
 def save(figure, path):
-    """The old file stays until the new one is whole."""
+    """Replaces the file only after the new one is complete."""
     temporary = path.with_name(f".{path.name}.tmp")
     try:
         figure.savefig(temporary, format="png", dpi=150)

@@ -9,11 +9,13 @@
 
 namespace ribbon_mapper::eval {
 
-/// Answers in constant time whether any of many points in the plane lies near a place.
+/// Index of 2D points that answers radius queries in constant time.
 class CellIndex {
  public:
-  /// `reach_m`: how near is near.
+  /// Indexes `points` for queries of radius `reach_m`.
   CellIndex(const std::vector<Eigen::Vector2d>& points, double reach_m);
+
+  /// Returns true if a point lies within the radius of `place`.
   bool has_near(const Eigen::Vector2d& place) const;
 
  private:
@@ -21,7 +23,7 @@ class CellIndex {
   bool bucket_has_near(std::int64_t bucket, const Eigen::Vector2d& place) const;
 
   double reach_m_;
-  std::unordered_map<std::int64_t, std::vector<Eigen::Vector2d>> buckets_;  // as wide as the reach
+  std::unordered_map<std::int64_t, std::vector<Eigen::Vector2d>> buckets_;  // of side reach_m_
 };
 
 }  // namespace ribbon_mapper::eval

@@ -11,9 +11,9 @@
 namespace ribbon_mapper::eval {
 namespace {
 
-using Node = std::pair<std::int64_t, std::int64_t>;  // a place, rounded to the tolerance
+using Node = std::pair<std::int64_t, std::int64_t>;  // a position, rounded to the tolerance
 
-/// Segments as a graph of places. Walking an edge takes it away.
+/// Segments as a graph of positions. Walking along an edge removes it.
 class Graph {
  public:
   Graph(const std::vector<Segment>& segments, double tolerance_m) {
@@ -25,7 +25,7 @@ class Graph {
     }
   }
 
-  /// From `start` on, as far as it goes.
+  /// Returns the chain from `node` on until no edge is left to walk.
   Chain walk(Node node) {
     Chain chain{places_[node]};
     while (!neighbours_[node].empty()) {
@@ -38,7 +38,7 @@ class Graph {
     return chain;
   }
 
-  /// All chains: first those that begin at an open end or a junction, then the closed ones.
+  /// Returns all chains: first those from open ends and junctions, then the closed ones.
   std::vector<Chain> walks() {
     std::vector<Chain> chains;
     for (const bool only_odd : {true, false}) {
@@ -58,7 +58,7 @@ class Graph {
     return node;
   }
 
-  std::map<Node, Eigen::Vector2d> places_;  // sorted: the same segments give the same chains
+  std::map<Node, Eigen::Vector2d> places_;  // sorted, so that the result is deterministic
   std::map<Node, std::set<Node>> neighbours_;
 };
 
@@ -70,7 +70,7 @@ double distance_from_line(const Eigen::Vector2d& point, const Eigen::Vector2d& b
   return std::abs(along.x() * to_point.y() - along.y() * to_point.x()) / length;
 }
 
-/// Marks what is to be kept between two kept points.
+/// Marks the points to keep between two kept ones.
 void keep_between(const Chain& chain, std::size_t first, std::size_t last, double tolerance_m,
                   std::vector<bool>& is_kept) {
   std::size_t furthest = first;

@@ -8,16 +8,18 @@
 
 namespace ribbon_mapper::eval {
 
+/// A line segment by its two ends.
 using Segment = std::array<Eigen::Vector2d, 2>;
+
+/// A polyline by its corners; a closed one ends where it begins.
 using Chain = std::vector<Eigen::Vector2d>;
 
-/// Strings segments together where their ends meet (to `tolerance_m`), and leaves out points that
-/// change a chain by less than that: a tessellated cylinder becomes one polygon of few corners. A
-/// closed chain ends where it begins.
+/// Joins segments whose ends coincide to within `tolerance_m` into simplified chains. A tessellated
+/// cylinder becomes one polygon of few corners.
 std::vector<Chain> chains_of(const std::vector<Segment>& segments, double tolerance_m);
 
-/// Douglas and Peucker: the chain with those points only that lie further than `tolerance_m` from
-/// the line between kept ones.
+/// Simplifies a chain by the Douglas-Peucker algorithm: removed points lie within `tolerance_m` of
+/// the line between their kept neighbours.
 Chain simplified(const Chain& chain, double tolerance_m);
 
 }  // namespace ribbon_mapper::eval

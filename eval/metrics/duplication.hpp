@@ -9,13 +9,14 @@
 
 namespace ribbon_mapper::eval {
 
-/// How many estimates share a true plane, by their points: however far drift has carried them, they
-/// are told as its copies. An estimate is one of the true plane that most of its points are on.
+/// Number of estimates of the same true plane, counted by points. Copies are recognised however far
+/// drift has displaced them.
 struct Duplication {
   std::size_t duplicates = 0;   ///< estimates beyond the first of each true plane
   std::optional<double> ratio;  ///< estimates per true plane that has any
 };
 
+/// Counts duplicates. An estimate belongs to the true plane with more than half of its points.
 Duplication duplication(const Overlaps& overlaps);
 
 }  // namespace ribbon_mapper::eval

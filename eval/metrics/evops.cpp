@@ -10,12 +10,12 @@ namespace {
 
 constexpr double kWhole = 0.75, kPartial = 0.2;
 
-/// What one region has to do with those of the other side.
+/// Counts the matches of one region among those of the other segmentation.
 struct Partners {
   std::size_t partial = 0, whole = 0;
-  std::size_t last = 0;  ///< index of a partial one
+  std::size_t last = 0;  ///< index of the latest partial match
 
-  void meet(double iou, std::size_t other) {
+  void add(double iou, std::size_t other) {
     if (iou >= kWhole) ++whole;
     if (iou < kPartial) return;
     ++partial;
@@ -62,8 +62,8 @@ Evops evops(const Overlaps& overlaps) {
   for (std::size_t t = 0; t < truth.size(); ++t) {
     for (std::size_t e = 0; e < estimates.size(); ++e) {
       const double iou = overlaps.iou(t, e);
-      truth[t].meet(iou, e);
-      estimates[e].meet(iou, t);
+      truth[t].add(iou, e);
+      estimates[e].add(iou, t);
     }
   }
   Evops result;

@@ -9,13 +9,12 @@
 
 #include "eval/metrics/cell_index.hpp"
 #include "eval/metrics/statistics.hpp"
+#include "modeler/geometry/angles.hpp"
 
 namespace ribbon_mapper::eval {
 namespace {
 
-constexpr double kDegreesPerRadian = 180.0 / 3.14159265358979323846;
-
-/// An estimate and a true plane that may be the same.
+/// A candidate match of an estimate with a true plane.
 struct Pair {
   std::size_t estimate = 0;
   std::size_t truth = 0;
@@ -25,10 +24,10 @@ struct Pair {
 };
 
 double angle_between_deg(const Eigen::Vector3d& a, const Eigen::Vector3d& b) {
-  return std::atan2(a.cross(b).norm(), a.dot(b)) * kDegreesPerRadian;
+  return to_degrees(std::atan2(a.cross(b).norm(), a.dot(b)));
 }
 
-/// Cells in a 2D frame that belongs to a plane: two patches are compared in the frame of one.
+/// Projects the cells of a patch into the 2D frame of the plane with this normal.
 std::vector<Eigen::Vector2d> projected(const Patch& patch, const Eigen::Vector3d& normal) {
   const Eigen::Vector3d u = normal.unitOrthogonal();
   const Eigen::Vector3d v = normal.cross(u);
@@ -38,7 +37,7 @@ std::vector<Eigen::Vector2d> projected(const Patch& patch, const Eigen::Vector3d
   return points;
 }
 
-/// One true plane with what is needed to compare it with many estimates.
+/// A true plane with the index for comparing it with many estimates.
 class TrueSurface {
  public:
   TrueSurface(const Patch& patch, const MatchLimits& limits)
@@ -48,7 +47,8 @@ class TrueSurface {
         index_(points_, limits.reach_m),
         seen_(points_.size(), false) {}
 
-  /// Adds what a compatible estimate saw to the coverage; true if the two overlap enough to match.
+  /// Adds the cells that the estimate has seen to the coverage. Fills in `pair` and returns true if
+  /// the two overlap enough to match.
   bool compare(const Patch& estimate, Pair& pair) {
     pair.angle_deg = angle_between_deg(estimate.normal, patch_.normal);
     pair.offset_m = std::abs(patch_.normal.dot(centroid_of(estimate)) + patch_.d_m);
@@ -74,7 +74,7 @@ class TrueSurface {
     return whole == 0 ? 0.0 : static_cast<double>(part) / static_cast<double>(whole);
   }
 
-  /// Number of true cells that the estimate saw.
+  /// Marks the true cells that the estimate has seen and returns their number.
   std::size_t mark_seen(const CellIndex& estimate) {
     std::size_t count = 0;
     for (std::size_t i = 0; i < points_.size(); ++i) {
@@ -92,7 +92,7 @@ class TrueSurface {
   std::vector<bool> seen_;
 };
 
-/// Pairs that may match, and the coverage by all compatible estimates on the way.
+/// Returns all candidate matches and stores the coverage by all estimates within the limits.
 std::vector<Pair> candidate_pairs(const std::vector<Patch>& estimates,
                                   const std::vector<Patch>& truth, const MatchLimits& limits,
                                   double& coverage) {

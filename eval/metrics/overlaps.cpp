@@ -16,9 +16,9 @@ Overlaps::Overlaps(std::size_t truth, std::size_t estimates)
 
 void Overlaps::add(int truth, int estimate, std::size_t points) {
   const auto t = static_cast<std::size_t>(truth), e = static_cast<std::size_t>(estimate);
-  if (truth != no_region) truth_points_[t] += points;
-  if (estimate != no_region) estimated_points_[e] += points;
-  if (truth != no_region && estimate != no_region) shared_[t * estimates() + e] += points;
+  if (truth != kNoRegion) truth_points_[t] += points;
+  if (estimate != kNoRegion) estimated_points_[e] += points;
+  if (truth != kNoRegion && estimate != kNoRegion) shared_[t * estimates() + e] += points;
 }
 
 double Overlaps::share_of_truth(std::size_t truth, std::size_t estimate) const {

@@ -9,21 +9,24 @@
 
 namespace ribbon_mapper::eval {
 
-/// A bounded plane in map, of the model or of the world: all that the metrics know of it.
+/// A bounded plane of the model or of the world in the map frame, as the metrics need it.
 struct Patch {
-  Eigen::Vector3d normal = Eigen::Vector3d::UnitZ();  ///< towards the seen side
+  Eigen::Vector3d normal = Eigen::Vector3d::UnitZ();  ///< unit length, towards the observed side
   double d_m = 0.0;                                   ///< n.p + d = 0
-  double area_m2 = 0.0;
-  std::vector<Eigen::Vector3d> cells;  ///< centres of the seen cells (5 cm), on the plane
+  double area_m2 = 0.0;                               ///< observed area
+  std::vector<Eigen::Vector3d> cells;  ///< centres of the observed cells (5 cm), on the plane
 };
 
+/// Converts a plane of the model.
 Patch patch_of(const Plane& plane);
+
+/// Converts planes of the model.
 std::vector<Patch> patches_of(const std::vector<Plane>& planes);
 
-/// A plane with a grid of its own, laid over the cells of the patch; it has no outline.
+/// Converts a patch to a plane with a grid over its cells and without an outline.
 Plane plane_of(const Patch& patch, std::int64_t id, double cell_size_m = 0.05);
 
-/// Mean of the cells; the foot of the origin if there are none.
+/// Returns the mean of the cells, or the point nearest to the origin if there are none.
 Eigen::Vector3d centroid_of(const Patch& patch);
 
 }  // namespace ribbon_mapper::eval

@@ -8,12 +8,12 @@
 
 namespace ribbon_mapper::eval {
 
-/// How a model of planes parts the points of a tour, against the faces that its beams hit.
+/// Segmentation metrics of a model: its labels of points against the faces that the beams hit.
 struct PointMetrics {
-  SegComp segcomp;          ///< on the points of ribbons
-  Evops evops;              ///< likewise
-  Duplication duplication;  ///< likewise
-  /// On all returns: a plane lacks those that no ribbon took.
+  SegComp segcomp;          ///< over the points of ribbons
+  Evops evops;              ///< over the points of ribbons
+  Duplication duplication;  ///< over the points of ribbons
+  /// Over all returns; those outside ribbons count as missing from their planes.
   SegComp segcomp_all;
 };
 

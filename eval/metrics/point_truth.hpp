@@ -12,40 +12,42 @@
 
 namespace ribbon_mapper::eval {
 
-/// Medians over ribbons.
+/// Median errors over all ribbons.
 struct RibbonErrors {
-  double angle_deg = 0.0;   ///< between its normal and the true one
-  double distance_m = 0.0;  ///< of its centroid from the true plane
+  double angle_deg = 0.0;   ///< between the ribbon's normal and the true one
+  double distance_m = 0.0;  ///< of the ribbon's centroid from the true plane
 };
 
-/// The true plane of every beam of a tour, to judge a segmentation point by point. The modeler does
-/// not know of it: its ribbons are found again by the stamp of their line and their beams.
+/// The true plane of every beam of a tour, for evaluating a segmentation point by point. Ribbons
+/// are related to beams by the stamp of their line and their beam indices.
 class PointTruth {
  public:
-  /// `cells`: of each beam, as sim::TruthCollector::add() gives them.
+  /// Adds a scan line. `cells` holds the true cell of each beam, as sim::TruthCollector::add()
+  /// returns it.
   void add(Time middle_of_line, std::vector<int> cells);
 
-  /// After the last line, before overlaps().
+  /// Replaces cells by the true planes that contain them. To be called after the last line and
+  /// before overlaps().
   void settle(const std::vector<sim::TruthPlane>& planes);
 
-  /// Which points are judged.
+  /// Selects the points to evaluate.
   enum class Points {
-    of_ribbons,  ///< what the method groups into planes
-    all          ///< also the returns that no ribbon took, of the lines that are in the model
+    of_ribbons,  ///< the points of ribbons, which the method groups into planes
+    all          ///< all returns of the lines in the model
   };
 
-  /// Points of the true planes and of the model's planes, which are those of their ribbons. Points
-  /// off all true planes (legs of chairs, mixed pixels) count in the planes that took them.
+  /// Counts the points that true planes share with `planes` of the modeler. Points off all true
+  /// planes (chair legs, mixed pixels) count only for the planes that contain them.
   Overlaps overlaps(const Modeler& modeler, const std::vector<Plane>& planes, Points which) const;
 
-  /// How far ribbons are off the true plane that most of their points are on, as the model's
-  /// trajectory places them now. Nothing if there is no such ribbon.
+  /// Returns the median errors of ribbons at their current poses, against the true plane with most
+  /// of their points. Returns nothing if no ribbon lies on a true plane.
   std::optional<RibbonErrors> ribbon_errors(const Modeler& modeler) const;
 
  private:
   struct Line {
     Time middle{0};
-    std::vector<int> labels;  ///< cells until settle(), then true planes; of each beam
+    std::vector<int> labels;  ///< by beam: cells until settle(), then true planes
   };
   const Line* line_at(Time middle) const;
   const sim::TruthPlane* plane_of(const Ribbon& ribbon, const Line& line) const;

@@ -9,11 +9,11 @@
 namespace ribbon_mapper::eval {
 namespace {
 
-/// Regions that may be classified together, before it is known which of the classes gets them.
+/// Regions that could be classified together.
 struct Instance {
   enum Class { correct, over, under } what;
   std::vector<std::size_t> truth, estimates;
-  double score;  ///< mean of the two shares that made it so
+  double score;  ///< mean of the two shares that exceed the tolerance
 };
 
 void add_correct(const Overlaps& o, double tolerance, std::vector<Instance>& instances) {
@@ -26,8 +26,9 @@ void add_correct(const Overlaps& o, double tolerance, std::vector<Instance>& ins
   }
 }
 
-/// The members whose own share lies in the whole, if there are several and they make up the whole:
-/// their score. `own(i)` is the share of member i in the whole, `part(i)` that of the whole in it.
+/// Collects the members that lie in a whole. Returns their score if there are several and they
+/// cover the whole. `own(i)` is the share of member i that lies in the whole, `part(i)` the share
+/// of the whole that lies in member i.
 template <typename Own, typename Part>
 std::optional<double> composition(std::size_t count, double tolerance, const Own& own,
                                   const Part& part, std::vector<std::size_t>& members) {
@@ -62,7 +63,7 @@ void add_under(const Overlaps& o, double tolerance, std::vector<Instance>& insta
   }
 }
 
-/// Marks the regions; false, and nothing is marked, if one of them is taken.
+/// Marks the regions as taken. Returns false and marks nothing if one of them is taken already.
 bool take(const std::vector<std::size_t>& truth, const std::vector<std::size_t>& estimates,
           std::vector<bool>& truth_taken, std::vector<bool>& estimate_taken) {
   for (const std::size_t t : truth) {
@@ -96,7 +97,7 @@ SegComp segcomp(const Overlaps& overlaps, double tolerance) {
   if (!(tolerance >= 0.5 && tolerance < 1.0)) {
     throw std::invalid_argument("segcomp: tolerance must be in 0.5..1");
   }
-  std::vector<Instance> instances;  // in the order that decides ties
+  std::vector<Instance> instances;  // in the order that breaks ties
   add_correct(overlaps, tolerance, instances);
   add_over(overlaps, tolerance, instances);
   add_under(overlaps, tolerance, instances);

@@ -6,11 +6,11 @@
 
 namespace ribbon_mapper::eval {
 
-/// Between the sorted values, linearly, as numpy.quantile() does it: 0.5 is the median. Of no
-/// values: not a number.
+/// Returns a quantile by linear interpolation, as numpy.quantile() does; `share` 0.5 is the median.
+/// Returns NaN without values.
 double quantile(std::vector<double> values, double share);
 
-/// Of no values: not a number.
+/// Returns the arithmetic mean, or NaN without values.
 double mean_of(const std::vector<double>& values);
 
 }  // namespace ribbon_mapper::eval

@@ -6,13 +6,14 @@
 #include <cstdio>
 #include <nlohmann/json.hpp>
 
-#include "modeler/association/association_config.hpp"
+#include "modeler/geometry/angles.hpp"
 #include "modeler/io/atomic_file.hpp"
 #include "modeler/io/colour.hpp"
 #include "modeler/io/planes_json.hpp"
 #include "modeler/io/save.hpp"
 #include "modeler/io/tum.hpp"
 #include "modeler/surface/outline.hpp"
+#include "modeler/surface/surface_config.hpp"
 
 namespace ribbon_mapper::eval {
 namespace {
@@ -31,7 +32,7 @@ std::string hex(const Colour& colour) {
   return text.data();
 }
 
-/// What the figure needs beside the planes: the world's outlines and the colours of the planes.
+/// Returns the figure's input beside the planes: outlines of the world and colours of the planes.
 std::string figure_data(const Results& results) {
   nlohmann::ordered_json outlines = nlohmann::ordered_json::array();
   for (const auto& polygon : results.world_outlines) {
@@ -47,27 +48,25 @@ std::string figure_data(const Results& results) {
   return nlohmann::ordered_json{{"world_outlines", outlines}, {"colours", colours}}.dump() + "\n";
 }
 
-/// Planes as built on the way come without outlines, which nobody needs then.
+/// Adds the outlines that planes as built do not have.
 std::vector<Plane> with_outlines(std::vector<Plane> planes) {
   for (Plane& plane : planes) {
-    if (plane.outline.empty()) plane.outline = outline_of(plane, PlaneMapConfig().bridged_gap_m);
+    if (plane.outline.empty()) plane.outline = outline_of(plane, SurfaceConfig().bridged_gap_m);
   }
   return planes;
 }
 
-double degrees(double angle_rad) { return angle_rad * 180.0 / 3.14159265358979323846; }
-
 }  // namespace
 
 void evaluate(Results& results) {
-  results.summary.cells = for_each_cell(results.models, [&](const std::vector<Plane>& planes) {
+  results.summary.metrics = for_each_model(results.models, [&](const std::vector<Plane>& planes) {
     return compare_maps(patches_of(planes), results.truth);
   });
   if (results.trajectory_before.empty() || results.trajectory_truth.empty()) return;
   const Pose T_truth_estimate = results.trajectory_truth.back().T_map_base.inverse() *
                                 results.trajectory_before.back().T_map_base;
   results.summary.end_drift_m = T_truth_estimate.translation().norm();
-  results.summary.end_drift_deg = degrees(angle_of(T_truth_estimate));
+  results.summary.end_drift_deg = to_degrees(angle_of(T_truth_estimate));
 }
 
 void write_results(const Results& results, const std::filesystem::path& directory) {

@@ -13,29 +13,32 @@
 
 namespace ribbon_mapper::eval {
 
-using FourModels = PerCell<std::vector<Plane>>;
+/// The planes of each of the four models.
+using FourModels = PerModel<std::vector<Plane>>;
 
-/// What a tour leaves behind.
+/// Everything that is kept of one run.
 struct Results {
-  Summary summary;
-  FourModels models;
-  std::vector<Patch> truth;
-  // Acquisition poses.
+  Summary summary;           ///< metrics and times
+  FourModels models;         ///< before and after the correction, as built and final
+  std::vector<Patch> truth;  ///< the true planes
+  /// Acquisition poses of the lines before the correction.
   std::vector<StampedPose> trajectory_before;
+  /// Acquisition poses of the lines after the correction.
   std::vector<StampedPose> trajectory_after;
+  /// True acquisition poses of the lines.
   std::vector<StampedPose> trajectory_truth;
-  /// Lines of the world in a top view, for the figure [m].
+  /// Polylines of the world in a top view [m], for the figure.
   std::vector<std::vector<Eigen::Vector2d>> world_outlines;
 };
 
-/// Fills in the parts of the summary that follow from the rest: the four cells and the end drift.
+/// Computes the metrics of the four models and the end drift, and stores them in the summary.
 void evaluate(Results& results);
 
-/// Writes into `directory` (created where needed), each file whole or not at all: summary.json,
-/// planes_before.json (noisy, as built), planes_noisy.json, planes_truth.json, the model
-/// planes_after.{json,ply,bt} with planes_after_cells.ply (corrected, merged),
-/// trajectory_{before,after,truth}.tum and figure.json, all that draw_figure() reads. Throws
-/// std::runtime_error (which file, why, what to do).
+/// Writes the results into `directory`, which is created if needed; each file is written
+/// atomically. The files are summary.json, planes_before.json (noisy, as built),
+/// planes_noisy.json (noisy, final), planes_truth.json, planes_after.{json,ply,bt} with
+/// planes_after_cells.ply (corrected, final), trajectory_{before,after,truth}.tum and figure.json
+/// (for draw_figure()). Throws std::runtime_error with the file, the reason and a remedy.
 void write_results(const Results& results, const std::filesystem::path& directory);
 
 }  // namespace ribbon_mapper::eval

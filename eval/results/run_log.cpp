@@ -38,7 +38,7 @@ RunOptions run_of(const Json& json) {
   return run;
 }
 
-/// What says under which conditions a run was made is no figure of it.
+/// Removes the numbers that are conditions of a run, not figures.
 void remove_conditions(Json& json) {
   for (const char* key : {"beams", "speed_m_s", "drift", "seed"}) json.erase(key);
 }
@@ -52,15 +52,15 @@ void collect(const Json& json, const std::string& prefix, std::map<std::string, 
 
 }  // namespace
 
-Record record_of(const std::string& line) {
+LoggedRun parse_run_line(const std::string& line) {
   try {
     Json json = Json::parse(line);
-    Record record{run_of(json), json.at("inputs"), json.at("version"), line, {}};
+    LoggedRun logged{run_of(json), json.at("inputs"), json.at("version"), line, {}};
     remove_conditions(json);
-    collect(json, "", record.figures);
-    return record;
+    collect(json, "", logged.figures);
+    return logged;
   } catch (const Json::exception& error) {
-    throw std::invalid_argument(std::string("not a run of the experiment: ") + error.what());
+    throw std::invalid_argument(std::string("this is no run of the experiment: ") + error.what());
   }
 }
 
@@ -69,7 +69,7 @@ RunLog::RunLog(std::filesystem::path path) : path_(std::move(path)) {
   std::string line;
   bool is_cut_off = false;
   for (std::size_t number = 1; std::getline(file, line); ++number) {
-    is_cut_off = file.eof();  // the end of the file came before that of the line
+    is_cut_off = file.eof();  // the last line has no line end
     if (!is_cut_off) enter(line + "\n", number);
   }
   file.close();
@@ -80,19 +80,20 @@ void RunLog::enter(const std::string& line, std::size_t number) {
   const std::string place = path_.string() + ", line " + std::to_string(number) + ": ";
   const std::string advice = "; choose another --output, or move the file away";
   try {
-    Record record = record_of(line);
-    if (record.version != version()) {
-      throw std::invalid_argument("a run of version " + record.version + ", this is " + version());
+    LoggedRun logged = parse_run_line(line);
+    if (logged.version != version()) {
+      throw std::invalid_argument("the run is of version " + logged.version +
+                                  ", this program of version " + version());
     }
-    records_.emplace(record.run, std::move(record));
+    runs_.emplace(logged.run, std::move(logged));
   } catch (const std::invalid_argument& error) {
     throw std::runtime_error(place + error.what() + advice);
   }
 }
 
 bool RunLog::has(const RunOptions& run, const std::string& inputs) const {
-  const auto found = records_.find(recorded(run));
-  if (found == records_.end()) return false;
+  const auto found = runs_.find(with_portable_names(run));
+  if (found == runs_.end()) return false;
   if (found->second.inputs == inputs) return true;
   throw std::runtime_error(path_.string() + ": the world, the route or the preset of '" +
                            command_of(run) +
@@ -101,28 +102,28 @@ bool RunLog::has(const RunOptions& run, const std::string& inputs) const {
 }
 
 void RunLog::append(const std::string& line) {
-  Record record = record_of(line);
+  LoggedRun logged = parse_run_line(line);
   std::ofstream file(path_, std::ios::binary | std::ios::app);
   file << line << std::flush;
   if (!file) throw std::runtime_error(path_.string() + ": cannot be written; is the disk full?");
-  records_.emplace(record.run, std::move(record));
+  runs_.emplace(logged.run, std::move(logged));
 }
 
 void RunLog::sort() const {
   std::string text;
-  for (const auto& [run, record] : records_) text += record.line;
+  for (const auto& [run, logged] : runs_) text += logged.line;
   write_file_atomically(path_, text);
 }
 
-std::vector<Record> RunLog::records_of(const std::vector<RunOptions>& runs) const {
+std::vector<LoggedRun> RunLog::logged_runs(const std::vector<RunOptions>& runs) const {
   std::set<RunOptions, Before> wanted;
-  for (const RunOptions& run : runs) wanted.insert(recorded(run));
-  std::vector<Record> records;
+  for (const RunOptions& run : runs) wanted.insert(with_portable_names(run));
+  std::vector<LoggedRun> result;
   for (const RunOptions& run : wanted) {
-    const auto found = records_.find(run);
-    if (found != records_.end()) records.push_back(found->second);
+    const auto found = runs_.find(run);
+    if (found != runs_.end()) result.push_back(found->second);
   }
-  return records;
+  return result;
 }
 
 }  // namespace ribbon_mapper::eval

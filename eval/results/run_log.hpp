@@ -11,40 +11,39 @@
 
 namespace ribbon_mapper::eval {
 
-/// A finished run as its line in runs.jsonl says it.
-struct Record {
-  RunOptions run;
-  std::string inputs;   ///< see inputs_of()
-  std::string version;  ///< of the program
-  std::string line;     ///< with its end
-  /// Every number in it by its key, keys of objects joined by dots; absent where it is null.
+/// A finished run, read from its line in runs.jsonl.
+struct LoggedRun {
+  RunOptions run;       ///< the conditions
+  std::string inputs;   ///< fingerprint of the input files, see inputs_of()
+  std::string version;  ///< version of the program that made it
+  std::string line;     ///< the line itself, with its line end
+  /// All numeric results by key; keys of nested objects are joined by dots. Nulls are left out.
   std::map<std::string, double> figures;
 };
 
-/// Throws std::invalid_argument if that is no such line.
-Record record_of(const std::string& line);
+/// Parses a line of runs.jsonl. Throws std::invalid_argument if it is none.
+LoggedRun parse_run_line(const std::string& line);
 
-/// runs.jsonl: a line per finished run of a sweep. Runs of a sweep that was interrupted are in it
-/// in the order in which they finished; in the end they are sorted.
+/// The file runs.jsonl with one line per finished run of a series. Lines are appended in the order
+/// in which runs finish, and sorted at the end of the series.
 class RunLog {
  public:
-  /// Reads what is there. A last line that was cut off is forgotten. Throws std::runtime_error that
-  /// names the file and the line if it holds something else, or runs of another version.
+  /// Reads an existing file and drops an incomplete last line. Throws std::runtime_error with file
+  /// and line if a line is no run, or of another version of the program.
   explicit RunLog(std::filesystem::path path);
 
-  /// True if the run is in the log. Throws std::runtime_error if it was done with other contents of
-  /// its world, route or preset.
+  /// Returns true if the run is in the log. Throws std::runtime_error if its world, route or preset
+  /// has changed since.
   bool has(const RunOptions& run, const std::string& inputs) const;
 
-  /// Adds a line, which is on the disk when this returns. Throws std::runtime_error if it cannot be
-  /// written.
+  /// Appends a line and flushes the file. Throws std::runtime_error if it cannot be written.
   void append(const std::string& line);
 
-  /// Writes the file anew, sorted by comes_before(): whole, or not at all.
+  /// Rewrites the file atomically, sorted by comes_before().
   void sort() const;
 
-  /// Of these runs, as far as they are in the log, sorted.
-  std::vector<Record> records_of(const std::vector<RunOptions>& runs) const;
+  /// Returns those of `runs` that are in the log, sorted by comes_before().
+  std::vector<LoggedRun> logged_runs(const std::vector<RunOptions>& runs) const;
 
  private:
   struct Before {
@@ -53,7 +52,7 @@ class RunLog {
   void enter(const std::string& line, std::size_t number);
 
   std::filesystem::path path_;
-  std::map<RunOptions, Record, Before> records_;  // by recorded() options
+  std::map<RunOptions, LoggedRun, Before> runs_;  // by options with portable names
 };
 
 }  // namespace ribbon_mapper::eval

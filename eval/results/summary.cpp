@@ -53,8 +53,8 @@ Json to_json(const Evops& e) {
           {"missed", e.missed}};
 }
 
-/// One cell by the planes, and by their points where these are known.
-Json cell_to_json(const MapMetrics& planes, const PointMetrics* points) {
+/// Returns the metrics of one model, by planes and, where beams have labels, by points.
+Json model_to_json(const MapMetrics& planes, const PointMetrics* points) {
   Json json = to_json(planes);
   json["segcomp"] = points ? to_json(points->segcomp) : Json(nullptr);
   json["evops"] = points ? to_json(points->evops) : Json(nullptr);
@@ -64,14 +64,14 @@ Json cell_to_json(const MapMetrics& planes, const PointMetrics* points) {
   return json;
 }
 
-Json cells_to_json(const Summary& s) {
-  const PerCell<PointMetrics>* p = s.points ? &*s.points : nullptr;
+Json four_models_to_json(const Summary& s) {
+  const PerModel<PointMetrics>* p = s.points ? &*s.points : nullptr;
   return {
-      {"noisy_as_built", cell_to_json(s.cells.noisy_as_built, p ? &p->noisy_as_built : nullptr)},
-      {"noisy", cell_to_json(s.cells.noisy, p ? &p->noisy : nullptr)},
+      {"noisy_as_built", model_to_json(s.metrics.noisy_as_built, p ? &p->noisy_as_built : nullptr)},
+      {"noisy", model_to_json(s.metrics.noisy, p ? &p->noisy : nullptr)},
       {"corrected_as_built",
-       cell_to_json(s.cells.corrected_as_built, p ? &p->corrected_as_built : nullptr)},
-      {"corrected", cell_to_json(s.cells.corrected, p ? &p->corrected : nullptr)}};
+       model_to_json(s.metrics.corrected_as_built, p ? &p->corrected_as_built : nullptr)},
+      {"corrected", model_to_json(s.metrics.corrected, p ? &p->corrected : nullptr)}};
 }
 
 template <typename... Arguments>
@@ -100,16 +100,16 @@ std::string table_row(const char* name, const PointMetrics& m) {
 }
 
 template <typename Metrics>
-std::string table_rows(const PerCell<Metrics>& cells) {
-  return table_row("noisy, as built", cells.noisy_as_built) +
-         table_row("noisy, merged and filtered", cells.noisy) +
-         table_row("corrected, as built", cells.corrected_as_built) +
-         table_row("corrected, merged and filtered", cells.corrected);
+std::string table_rows(const PerModel<Metrics>& metrics) {
+  return table_row("noisy, as built", metrics.noisy_as_built) +
+         table_row("noisy, final", metrics.noisy) +
+         table_row("corrected, as built", metrics.corrected_as_built) +
+         table_row("corrected, final", metrics.corrected);
 }
 
-std::string points_table(const PerCell<PointMetrics>& points) {
+std::string points_table(const PerModel<PointMetrics>& points) {
   return format("\n%-32s %6s %8s %7s %6s %11s %6s %9s %10s %11s\n", "by points (SegComp, EVOPS)",
-                "right", "over", "under", "missed", "noise", "f1", "points %", "planes %",
+                "correct", "over", "under", "missed", "noise", "f1", "points %", "planes %",
                 "duplicates") +
          table_rows(points);
 }
@@ -141,16 +141,16 @@ Json times_of(const Summary& s) {
           {"real_time_factor", s.real_time_factor}};
 }
 
-/// The figures, without the times.
+/// Returns the figures without the times.
 Json figures_of(const Summary& s) {
-  const MapMetrics& result = s.cells.corrected;
+  const MapMetrics& result = s.metrics.corrected;
   Json json{{"lines", s.lines},
             {"dropped_lines", s.dropped_lines},
             {"ribbons", s.ribbons},
             {"truth_planes", result.truth},
-            {"planes_noisy_as_built", s.cells.noisy_as_built.planes},
-            {"planes_noisy", s.cells.noisy.planes},
-            {"planes_corrected_as_built", s.cells.corrected_as_built.planes},
+            {"planes_noisy_as_built", s.metrics.noisy_as_built.planes},
+            {"planes_noisy", s.metrics.noisy.planes},
+            {"planes_corrected_as_built", s.metrics.corrected_as_built.planes},
             {"planes_corrected", result.planes}};
   Json metrics = to_json(result);
   metrics.erase("planes");
@@ -168,14 +168,15 @@ std::string summary_to_json(const Summary& s) {
   Json json = to_json(s.run);
   json.update(figures_of(s));
   json.update(times_of(s));
-  json.update({{"four_cells", cells_to_json(s)}, {"command", s.command}, {"version", version()}});
+  json.update(
+      {{"four_models", four_models_to_json(s)}, {"command", s.command}, {"version", version()}});
   return json.dump(2) + "\n";
 }
 
 std::string run_line(const Summary& s, const std::string& inputs) {
   Json json = to_json(s.run);
   json.update(figures_of(s));
-  json.update({{"four_cells", cells_to_json(s)},
+  json.update({{"four_models", four_models_to_json(s)},
                {"command", s.command},
                {"inputs", inputs},
                {"version", version()}});
@@ -192,12 +193,12 @@ std::string summary_table(const Summary& s) {
   return format("%-32s %6s %8s %7s %6s %11s %6s %9s %10s %11s\n", "trajectory, model", "planes",
                 "matched", "missed", "extra", "duplicates", "f1", "covered %", "angle deg",
                 "offset mm") +
-         table_rows(s.cells) + format("%-32s %6zu\n", "truth", s.cells.corrected.truth) +
+         table_rows(s.metrics) + format("%-32s %6zu\n", "truth", s.metrics.corrected.truth) +
          (s.points ? points_table(*s.points) : "") +
          format(
-             "\n%zu lines (%zu dropped), %zu ribbons, %.0f us per line, %.1f x real time; the "
-             "robot "
-             "ended %.2f m and %.1f deg off; corrected in %.0f ms\n",
+             "\n%zu lines (%zu dropped), %zu ribbons, %.0f us per line, %.1f x real time; end "
+             "drift "
+             "%.2f m and %.1f deg; corrected in %.0f ms\n",
              s.lines, s.dropped_lines, s.ribbons, s.us_per_line, s.real_time_factor, s.end_drift_m,
              s.end_drift_deg, s.correction_ms);
 }

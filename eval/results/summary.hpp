@@ -9,45 +9,50 @@
 #include "eval/experiment/run_options.hpp"
 #include "eval/metrics/map_metrics.hpp"
 #include "eval/metrics/point_metrics.hpp"
-#include "eval/results/four_cells.hpp"
+#include "eval/results/four_models.hpp"
 
 namespace ribbon_mapper::eval {
 
-using FourCells = PerCell<MapMetrics>;
+/// The metrics of each of the four models.
+using FourMetrics = PerModel<MapMetrics>;
 
-/// What one tour says, whether it ran in one process or over ROS.
+/// Metrics and times of one run, whether in one process or over ROS.
 struct Summary {
-  RunOptions run;       ///< empty texts: not known
-  std::string command;  ///< that makes it again
+  RunOptions run;       ///< the conditions; empty strings are unknown
+  std::string command;  ///< command that repeats the run
 
-  std::size_t lines = 0;
-  std::size_t dropped_lines = 0;  ///< of these, lines that the modeler could not use
-  std::size_t ribbons = 0;
-  FourCells cells;
-  /// Against the face that each beam hit; over ROS beams have no labels.
-  std::optional<PerCell<PointMetrics>> points;
+  std::size_t lines = 0;          ///< scan lines of the tour
+  std::size_t dropped_lines = 0;  ///< lines that the modeler refused
+  std::size_t ribbons = 0;        ///< ribbons of the model
+  FourMetrics metrics;            ///< by planes
+  /// By points, against the face that each beam hit; empty over ROS, where beams have no labels.
+  std::optional<PerModel<PointMetrics>> points;
 
-  /// Medians over the ribbons, where the corrected trajectory places them.
-  std::optional<double> ribbon_angle_deg, ribbon_distance_m;
+  /// Median angle between ribbons' normals and the true ones, at corrected poses.
+  std::optional<double> ribbon_angle_deg;
+  /// Median distance of ribbons' centroids from their true planes, at corrected poses.
+  std::optional<double> ribbon_distance_m;
 
-  double end_drift_m = 0.0;  ///< last acquisition pose before the correction, from the truth
+  /// Position error of the last acquisition pose before the correction.
+  double end_drift_m = 0.0;
+  /// Orientation error of the last acquisition pose before the correction.
   double end_drift_deg = 0.0;
-  double us_per_line = 0.0;       ///< median time that the modeler took for a line
-  double correction_ms = 0.0;     ///< evaluating the whole model again
+  double us_per_line = 0.0;       ///< median computing time per line
+  double correction_ms = 0.0;     ///< time of Modeler::correct()
   double real_time_factor = 0.0;  ///< seconds of tour per second of computing
 };
 
-/// All of it as JSON, keys as in docs/experiments.md.
+/// Converts a summary to JSON; docs/experiments.md describes the keys.
 std::string summary_to_json(const Summary& summary);
 
-/// The same in one line, without the times, which differ from run to run: a line of runs.jsonl.
-/// `inputs` as inputs_of() gives them.
+/// Converts a summary to a line of runs.jsonl: the same keys without the times, which are not
+/// reproducible. `inputs` is the fingerprint from inputs_of().
 std::string run_line(const Summary& summary, const std::string& inputs);
 
-/// The times, with what is needed to tell the run, in one line.
+/// Converts the times of a run, with its conditions, to a line of timings.jsonl.
 std::string timing_line(const Summary& summary);
 
-/// The four cells as tables for a terminal, and a line about the run.
+/// Formats the metrics of the four models as tables for a terminal, with a line about the run.
 std::string summary_table(const Summary& summary);
 
 }  // namespace ribbon_mapper::eval

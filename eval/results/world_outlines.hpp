@@ -9,7 +9,8 @@
 
 namespace ribbon_mapper::eval {
 
-/// Where the world's surfaces cut the heights of a seat, a table and a head, for the figure [m].
+/// Returns horizontal sections of the world at the heights of a seat, a table and a head [m], for
+/// the figure.
 std::vector<std::vector<Eigen::Vector2d>> world_outlines(const sim::World& world);
 
 }  // namespace ribbon_mapper::eval

@@ -12,7 +12,7 @@ Eigen::Vector3d vector_of(const Message& message) {
   return {message.x, message.y, message.z};
 }
 
-/// The grid is laid so that the first cell that was sent is (0, 0).
+/// Sets the cells, on a grid whose cell (0, 0) is the first one sent.
 void set_cells(const BoundedPlane& message, Plane& plane) {
   if (message.cells.empty()) return;
   const double size_m = plane.cell_size_m;
@@ -33,7 +33,6 @@ Plane plane_from(const BoundedPlane& message) {
   plane.normal = vector_of(message.normal);
   plane.d_m = message.d;
   plane.area_m2 = message.area;
-  plane.ribbon_count = message.ribbon_count;
   plane.centroid = vector_of(message.centroid);
   for (int i = 0; i < 9; ++i) plane.covariance(i / 3, i % 3) = message.covariance[i];
   plane.cell_size_m = message.cell_size;

@@ -11,11 +11,11 @@
 
 namespace ribbon_mapper::eval {
 
-/// Planes of the model as they were sent with their cells. How many points a cell has is not sent:
-/// one each.
+/// Converts planes of the model that were sent with their cells. Each cell gets one point, as
+/// counts are not part of the message.
 std::vector<Plane> planes_from(const PlaneArray& message);
 
-/// Planes of the world.
+/// Converts planes of the world.
 std::vector<Patch> patches_from(const PlaneArray& message);
 
 }  // namespace ribbon_mapper::eval

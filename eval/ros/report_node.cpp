@@ -24,7 +24,7 @@ struct NodeParameters {
   std::filesystem::path output;
   std::string world, model_path;
   double timeout_s;
-  Summary summary;  ///< with what the launch file knows of the run
+  Summary summary;  ///< conditions of the run, from the launch file
 
   static NodeParameters read() {
     StrictParameters from;
@@ -34,10 +34,10 @@ struct NodeParameters {
     p.model_path = from.text("model_path", "");
     p.timeout_s = from.number("timeout", 120.0, 1.0, 1e6);
     RunOptions& run = p.summary.run;
-    run.world = shared_name(p.world).string();
-    run.route = shared_name(from.text("route", "")).string();
-    run.config = shared_name(from.text("config", "")).string();
-    run.noise = run.tilt = run.caster = "";  // the simulator's
+    run.world = portable_name(p.world).string();
+    run.route = portable_name(from.text("route", "")).string();
+    run.config = portable_name(from.text("config", "")).string();
+    run.noise = run.tilt = run.caster = "";  // known to the simulator only
     run.seed = static_cast<std::uint64_t>(from.integer("seed", 0, 0, 2'000'000'000));
     run.drift = from.number("drift", 0.0, 0.0, 1000.0);
     p.summary.command = from.text("command", "");
@@ -46,7 +46,7 @@ struct NodeParameters {
   }
 };
 
-/// Only the figure needs the world: without it, it has no grey lines.
+/// Returns the outlines of the world for the figure, or none with a warning if it cannot be loaded.
 std::vector<std::vector<Eigen::Vector2d>> outlines_of(const NodeParameters& parameters) {
   if (parameters.world.empty()) return {};
   std::string model_path = parameters.model_path;
@@ -63,12 +63,12 @@ std::vector<std::vector<Eigen::Vector2d>> outlines_of(const NodeParameters& para
 class ReportNode {
  public:
   explicit ReportNode(const NodeParameters& parameters) : parameters_(parameters) {
-    create_directory_for_files(parameters.output);  // better now than after the tour
+    create_directory_for_files(parameters.output);  // fails before the tour rather than after it
     timer_ = node_.createWallTimer(ros::WallDuration(1.0),
                                    [this](const ros::WallTimerEvent&) { tick(); });
   }
 
-  /// Spins until there is a result. The exit code; throws what goes wrong.
+  /// Spins until the results are written. Returns the exit code; throws if they cannot be made.
   int run() {
     ros::spin();
     if (failure_) std::rethrow_exception(failure_);
@@ -81,7 +81,7 @@ class ReportNode {
       watch_.look();
       const std::string missing = watch_.missing();
       if (missing.empty()) return write();
-      if (watch_.idle_s() > parameters_.timeout_s) fail_for_want_of(missing);
+      if (watch_.idle_s() > parameters_.timeout_s) fail_for_lack_of(missing);
       show_progress();
     } catch (...) {
       failure_ = std::current_exception();
@@ -97,7 +97,7 @@ class ReportNode {
                                           : watch_.progress().c_str());
   }
 
-  [[noreturn]] void fail_for_want_of(const std::string& missing) {
+  [[noreturn]] void fail_for_lack_of(const std::string& missing) {
     throw std::runtime_error("No results: " + std::to_string(static_cast<int>(watch_.idle_s())) +
                              " s without a new line or correction, still waiting for " + missing +
                              ". The wait is set by ~timeout.");
@@ -137,7 +137,7 @@ int main(int argc, char** argv) {
   try {
     return ribbon_mapper::eval::ReportNode(ribbon_mapper::eval::NodeParameters::read()).run();
   } catch (const std::exception& error) {
-    std::fprintf(stderr, "report: %s\n", error.what());  // rosconsole may be down by now
+    std::fprintf(stderr, "report: %s\n", error.what());  // rosconsole may have shut down
     return 1;
   }
 }

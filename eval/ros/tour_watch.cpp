@@ -13,14 +13,14 @@ namespace ribbon_mapper::eval {
 namespace {
 
 constexpr const char* kModelService = "modeler/get_model";
-constexpr double kSettled_s = 20.0;  // no further correction is to be expected after the tour
+constexpr double kSettled_s = 20.0;  // after the tour, later corrections are not expected
 
 std::vector<StampedPose> poses_from(const nav_msgs::Path::ConstPtr& path) {
   if (!path || path->poses.empty()) return {};
   return trajectory_of(*path, path->header.frame_id);
 }
 
-/// Seconds of tour per second of the modeler's work.
+/// Returns the seconds of tour per second of computing.
 double modeler_speed(const std::vector<StampedPose>& trajectory, const GetModel::Response& state) {
   const double work_s = 1e-6 * state.us_per_line * static_cast<double>(state.lines);
   if (trajectory.empty() || work_s <= 0.0) return 0.0;
@@ -87,8 +87,8 @@ std::string TourWatch::progress() const {
   return text.data();
 }
 
-/// The last correction that was handed over has arrived, and no other is to be expected. Whether it
-/// covers the whole tour is read from its poses: messages of two topics come in any order.
+// True when the latest correction has been applied and no other is expected. Its poses tell whether
+// it covers the whole tour, because messages of different topics arrive in any order.
 bool TourWatch::is_corrected() const {
   const std::size_t revision = state_.planes.revision;
   if (revision == 0 || revision_is_new_) return false;
@@ -111,11 +111,11 @@ std::string TourWatch::missing() const {
   return "";
 }
 
-GetModel::Response TourWatch::model(bool before_correction, bool merged, bool with_cells) {
+GetModel::Response TourWatch::model(bool before_correction, bool is_final, bool with_cells) {
   GetModel request;
   request.request.which =
       before_correction ? GetModel::Request::BEFORE_CORRECTION : GetModel::Request::CURRENT;
-  request.request.merged = merged;
+  request.request.merged = is_final;
   request.request.cells = with_cells;
   if (!get_model_.call(request))
     throw std::runtime_error("no answer from " + get_model_.getService());
@@ -126,8 +126,8 @@ GetModel::Response TourWatch::model(bool before_correction, bool merged, bool wi
 }
 
 Results TourWatch::results() {
-  const auto planes = [&](bool before_correction, bool merged) {
-    return planes_from(model(before_correction, merged, true).planes);
+  const auto planes = [&](bool before_correction, bool is_final) {
+    return planes_from(model(before_correction, is_final, true).planes);
   };
   Results results;
   results.models = {planes(true, false), planes(true, true), planes(false, false),

@@ -19,28 +19,34 @@
 
 namespace ribbon_mapper::eval {
 
-/// Follows a tour on ROS from its first line to the model after its correction.
+/// Follows a tour over ROS from its first line until the model is corrected.
 class TourWatch {
  public:
+  /// Subscribes to the topics of the simulator and of the modeler.
   TourWatch();
 
-  /// Asks the modeler how far it is; to be called about once a second.
+  /// Polls the modeler's state. To be called about once a second.
   void look();
 
+  /// Returns true once the simulator has announced the end of the tour.
   bool tour_finished() const { return finished_; }
-  /// Seconds on the wall clock without a new line or correction.
+
+  /// Returns the wall clock time since the last line or correction [s].
   double idle_s() const;
-  /// One line for the terminal.
+
+  /// Returns a progress message of one line.
   std::string progress() const;
-  /// What is still missing for results, in words; empty when everything is there.
+
+  /// Describes what is still missing for results. Empty when everything has arrived.
   std::string missing() const;
 
-  /// Fetches both models. Throws std::runtime_error if the modeler does not answer.
+  /// Fetches the four models and the trajectories. Throws std::runtime_error if the modeler does
+  /// not answer.
   Results results();
 
  private:
   void on_correction(const nav_msgs::Path& path);
-  GetModel::Response model(bool before_correction, bool merged, bool with_cells);
+  GetModel::Response model(bool before_correction, bool is_final, bool with_cells);
   bool is_corrected() const;
   double speed() const;
 
@@ -50,14 +56,14 @@ class TourWatch {
   ros::Subscriber trajectory_topic_, trajectory_before_topic_;
 
   bool finished_ = false;
-  std::size_t corrections_ = 0;  ///< that were handed to the modeler
-  ros::Time corrected_until_;    ///< stamp of the last pose of the last of them
+  std::size_t corrections_ = 0;  ///< number of corrections sent to the modeler
+  ros::Time corrected_until_;    ///< stamp of the last pose of the latest one
   PlaneArray::ConstPtr truth_planes_;
   PoseHistory truth_;
   nav_msgs::Path::ConstPtr trajectory_, trajectory_before_;
 
-  GetModel::Response state_;      ///< without planes' cells
-  bool revision_is_new_ = false;  ///< its trajectory may still be on the way
+  GetModel::Response state_;      ///< latest answer, without cells
+  bool revision_is_new_ = false;  ///< the trajectory may still be in transit
   ros::WallTime last_news_ = ros::WallTime::now(), first_line_wall_;
   ros::Time first_line_, last_line_;
 };

@@ -44,7 +44,7 @@ double length_m(const Hypothesis& piece) { return std::sqrt(12.0 * piece.fit().v
 }  // namespace
 
 std::vector<Hypothesis> split(const Hypothesis& whole, const Plane& plane, double gap_m,
-                              const Observations& observations) {
+                              const PosedObservations& observations) {
   const std::vector<int> numbers = connected_components(plane.cells, plane.cell_size_m, gap_m);
   const int count = *std::max_element(numbers.begin(), numbers.end()) + 1;
   if (count == 1) return {whole};

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "modeler/association/hypothesis.hpp"
-#include "modeler/observations/observations.hpp"
+#include "modeler/observations/posed_observations.hpp"
 #include "modeler/surface/plane.hpp"
 
 namespace ribbon_mapper {
@@ -13,7 +13,7 @@ namespace ribbon_mapper {
 /// One hypothesis for each piece of the plane that is connected over gaps of at most `gap_m`, the
 /// largest first; it keeps the id. `plane` holds the cells of `whole`.
 std::vector<Hypothesis> split(const Hypothesis& whole, const Plane& plane, double gap_m,
-                              const Observations& observations);
+                              const PosedObservations& observations);
 
 /// Two things side by side may have passed for one plane that is tilted a little: pieces with a gap
 /// between them stay together only if each by itself says so. Of pieces up to `thing_m` long, which

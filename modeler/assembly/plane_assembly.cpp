@@ -17,22 +17,20 @@ namespace {
 
 /// False if a hypothesis has too few ribbons to be confirmed, or if even the cells of all their
 /// samples cannot have this area.
-bool is_promising(double area_m2, const Hypothesis& hypothesis, const Observations& observations,
-                  const PlaneMapConfig& config) {
-  if (hypothesis.members().size() < static_cast<std::size_t>(config.confirmed_ribbons)) {
-    return false;
-  }
+bool is_promising(double area_m2, const Hypothesis& hypothesis,
+                  const PosedObservations& observations, double cell_size_m,
+                  const AssemblyConfig& config) {
+  if (hypothesis.members().size() < static_cast<std::size_t>(config.min_ribbons)) return false;
   double max_m2 = 0.0;
   for (const Member& member : hypothesis.members()) {
-    max_m2 +=
-        observations.source(member.ribbon).samples.size * config.cell_size_m * config.cell_size_m;
+    max_m2 += observations.source(member.ribbon).samples.size * cell_size_m * cell_size_m;
     if (max_m2 >= area_m2) return true;
   }
   return false;
 }
 
 /// A facet of a column is no plane.
-bool is_curved(const Plane& plane, const PlaneMapConfig& config) {
+bool is_curved(const Plane& plane, const AssemblyConfig& config) {
   const Curvature curvature = curvature_of(plane);
   return curvature.bend - config.curvature_sigmas * curvature.sigma > 1.0 / config.min_radius_m &&
          curvature.sagitta_m > config.flat_within_m;
@@ -41,8 +39,8 @@ bool is_curved(const Plane& plane, const PlaneMapConfig& config) {
 /// Things side by side whose faces are almost in line (a row of chairs) pass for one plane, but not
 /// for a flat one: four fifths of a plane's cells lie within a sigma of a single ribbon (the gate
 /// is two of them), as a cell is the mean of several. Large planes may sag.
-bool is_row_of_things(const Plane& plane, const AssociationGates& gates,
-                      const PlaneMapConfig& config) {
+bool is_row_of_objects(const Plane& plane, const AssociationGates& gates,
+                       const AssemblyConfig& config) {
   if (plane.area_m2 > 4.0 * config.min_area_m2) return false;
   return cell_scatter_m(plane).value_or(0.0) > 0.5 * gates.distance_m;
 }
@@ -56,27 +54,28 @@ void move(Plane& plane, const Pose& T_map_model) {
   plane.d_m = -plane.normal.dot(plane.origin);
 }
 
-std::vector<Surface> without_spurious_planes(std::vector<Surface> surfaces,
-                                             const PlaneMapConfig& config) {
+std::vector<Surface> without_spurious_planes(std::vector<Surface> surfaces, double bridged_gap_m,
+                                             const AssemblyConfig& config) {
   std::vector<const Plane*> planes;
   for (const Surface& surface : surfaces) planes.push_back(&surface.plane());
-  const std::vector<bool> bevels = are_spurious(planes, config);
+  const std::vector<bool> spurious = are_spurious(planes, bridged_gap_m, config);
   std::vector<Surface> kept;
   for (std::size_t i = 0; i < surfaces.size(); ++i) {
-    if (!bevels[i]) kept.push_back(std::move(surfaces[i]));
+    if (!spurious[i]) kept.push_back(std::move(surfaces[i]));
   }
   return kept;
 }
 
 /// Takes out what is too small, curved or a bevel; the others by id, in the map frame.
 std::vector<Plane> finished(std::vector<Surface> surfaces, double min_area_m2,
-                            const Observations& observations, const PlaneMapConfig& config) {
+                            const PosedObservations& observations, double bridged_gap_m,
+                            const AssemblyConfig& config) {
   std::vector<Plane> planes;
   for (Surface& surface : surfaces) {
     if (surface.plane().area_m2 < min_area_m2 || is_curved(surface.plane(), config)) continue;
     planes.push_back(surface.take_plane());
   }
-  planes = without_spurious_planes(std::move(planes), config);
+  planes = without_spurious_planes(std::move(planes), bridged_gap_m, config);
   for (Plane& plane : planes) move(plane, observations.T_map_model());
   std::sort(planes.begin(), planes.end(),
             [](const Plane& a, const Plane& b) { return a.id < b.id; });
@@ -86,20 +85,21 @@ std::vector<Plane> finished(std::vector<Surface> surfaces, double min_area_m2,
 /// Takes hypotheses apart and collects the surfaces of what belongs together.
 class Assembly {
  public:
-  Assembly(const AssociationGates& gates, const Observations& observations,
-           const PlaneMapConfig& config)
+  Assembly(const AssociationGates& gates, const PosedObservations& observations,
+           const SurfaceConfig& surface_config, const AssemblyConfig& config)
       : gates_(gates),
         observations_(observations),
+        surface_config_(surface_config),
         config_(config),
         // Small ones, too: points that lie on them are not to be given to others.
-        min_m2_(std::min(config.confirmed_area_m2, config.min_area_m2)) {}
+        min_m2_(std::min(config.min_area_as_built_m2, config.min_area_m2)) {}
 
   void add(const Hypothesis& whole) {
     std::optional<Surface> surface = surface_of(whole);
     if (!surface) return;
-    const auto pieces = split(whole, surface->plane(), config_.stripe_gap_m, observations_);
+    const auto pieces = split(whole, surface->plane(), surface_config_.stripe_gap_m, observations_);
     if (pieces.size() == 1) return surfaces_.push_back(std::move(*surface));
-    const auto groups = agreeing(pieces, gates_, config_.bridged_gap_m);
+    const auto groups = agreeing(pieces, gates_, surface_config_.bridged_gap_m);
     if (groups.size() == 1) return add_connected(whole, std::move(*surface));
     for (const Hypothesis& group : groups) {
       if (auto grouped = surface_of(group)) add_connected(group, std::move(*grouped));
@@ -111,14 +111,17 @@ class Assembly {
  private:
   /// Nothing if it is too small to matter.
   std::optional<Surface> surface_of(const Hypothesis& hypothesis) const {
-    if (!is_promising(min_m2_, hypothesis, observations_, config_)) return std::nullopt;
-    Surface surface(hypothesis, observations_, config_);
+    const double cell_size_m = surface_config_.cell_size_m;
+    if (!is_promising(min_m2_, hypothesis, observations_, cell_size_m, config_)) {
+      return std::nullopt;
+    }
+    Surface surface(hypothesis, observations_, cell_size_m);
     if (surface.plane().area_m2 < min_m2_) return std::nullopt;
     return surface;
   }
 
   void add_connected(const Hypothesis& group, Surface surface) {
-    const auto parts = split(group, surface.plane(), config_.bridged_gap_m, observations_);
+    const auto parts = split(group, surface.plane(), surface_config_.bridged_gap_m, observations_);
     if (parts.size() == 1) return surfaces_.push_back(std::move(surface));
     for (const Hypothesis& part : parts) {
       if (auto connected = surface_of(part)) surfaces_.push_back(std::move(*connected));
@@ -126,40 +129,48 @@ class Assembly {
   }
 
   const AssociationGates& gates_;
-  const Observations& observations_;
-  const PlaneMapConfig& config_;
+  const PosedObservations& observations_;
+  const SurfaceConfig& surface_config_;
+  const AssemblyConfig& config_;
   double min_m2_;
   std::vector<Surface> surfaces_;
 };
 
 }  // namespace
 
-std::vector<Plane> confirmed_planes(const std::vector<Hypothesis>& hypotheses,
-                                    const Observations& observations,
-                                    const PlaneMapConfig& config) {
+std::vector<Plane> assembled_as_built(const std::vector<Hypothesis>& hypotheses,
+                                      const PosedObservations& observations,
+                                      const SurfaceConfig& surface_config,
+                                      const AssemblyConfig& config) {
+  const double cell_size_m = surface_config.cell_size_m;
+  const double min_area_m2 = config.min_area_as_built_m2;
   std::vector<Surface> surfaces;
   for (const Hypothesis& hypothesis : hypotheses) {
-    if (!is_promising(config.confirmed_area_m2, hypothesis, observations, config)) continue;
-    surfaces.emplace_back(hypothesis, observations, config);
+    if (!is_promising(min_area_m2, hypothesis, observations, cell_size_m, config)) continue;
+    surfaces.emplace_back(hypothesis, observations, cell_size_m);
   }
-  return finished(std::move(surfaces), config.confirmed_area_m2, observations, config);
+  return finished(std::move(surfaces), min_area_m2, observations, surface_config.bridged_gap_m,
+                  config);
 }
 
-std::vector<Plane> filtered_planes(const std::vector<Hypothesis>& hypotheses,
-                                   const AssociationGates& gates, const Observations& observations,
-                                   const PlaneMapConfig& config) {
-  Assembly assembly(gates, observations, config);
+std::vector<Plane> assembled_planes(const std::vector<Hypothesis>& hypotheses,
+                                    const AssociationGates& gates,
+                                    const PosedObservations& observations,
+                                    const SurfaceConfig& surface_config,
+                                    const AssemblyConfig& config) {
+  const double bridged_gap_m = surface_config.bridged_gap_m;
+  Assembly assembly(gates, observations, surface_config, config);
   for (const Hypothesis& hypothesis : hypotheses) assembly.add(hypothesis);
-  std::vector<Surface> surfaces = without_spurious_planes(assembly.take(), config);
+  std::vector<Surface> surfaces = without_spurious_planes(assembly.take(), bridged_gap_m, config);
   assign_points(observations, config, surfaces);
   surfaces.erase(std::remove_if(surfaces.begin(), surfaces.end(),
                                 [&](const Surface& surface) {
-                                  return is_row_of_things(surface.plane(), gates, config);
+                                  return is_row_of_objects(surface.plane(), gates, config);
                                 }),
                  surfaces.end());
   std::vector<Plane> planes =
-      finished(std::move(surfaces), config.min_area_m2, observations, config);
-  for (Plane& plane : planes) plane.outline = outline_of(plane, config.bridged_gap_m);
+      finished(std::move(surfaces), config.min_area_m2, observations, bridged_gap_m, config);
+  for (Plane& plane : planes) plane.outline = outline_of(plane, bridged_gap_m);
   return planes;
 }
 

@@ -4,23 +4,31 @@
 
 #include <vector>
 
+#include "modeler/assembly/assembly_config.hpp"
 #include "modeler/association/association_config.hpp"
 #include "modeler/association/hypothesis.hpp"
-#include "modeler/observations/observations.hpp"
+#include "modeler/observations/posed_observations.hpp"
 #include "modeler/surface/plane.hpp"
+#include "modeler/surface/surface_config.hpp"
 
 namespace ribbon_mapper {
 
-/// Planes with their cells from the hypotheses that are confirmed as built on the way: with ribbons
-/// and a seen area enough. In the map frame, without outlines.
-std::vector<Plane> confirmed_planes(const std::vector<Hypothesis>& hypotheses,
-                                    const Observations& observations, const PlaneMapConfig& config);
+/// Returns the planes of the hypotheses as they were aggregated on the way: those with enough
+/// ribbons and seen area. They are in map, ordered by id, with cells and without outlines.
+std::vector<Plane> assembled_as_built(const std::vector<Hypothesis>& hypotheses,
+                                      const PosedObservations& observations,
+                                      const SurfaceConfig& surface_config,
+                                      const AssemblyConfig& config);
 
-/// The final filtering, on hypotheses that were merged within `gates`: planes fall apart where a
-/// gap is too wide to be bridged, or where what lies beyond it does not agree; small planes, curved
-/// ones and bevels are dropped. In the map frame, with outlines.
-std::vector<Plane> filtered_planes(const std::vector<Hypothesis>& hypotheses,
-                                   const AssociationGates& gates, const Observations& observations,
-                                   const PlaneMapConfig& config);
+/// Returns the planes of a model from hypotheses that were merged within `gates`.
+///
+/// A hypothesis is split where a gap is too wide to be bridged, or where the part beyond a gap does
+/// not agree. Small, curved and spurious planes are removed. The planes are in map, ordered by id,
+/// with cells and outlines.
+std::vector<Plane> assembled_planes(const std::vector<Hypothesis>& hypotheses,
+                                    const AssociationGates& gates,
+                                    const PosedObservations& observations,
+                                    const SurfaceConfig& surface_config,
+                                    const AssemblyConfig& config);
 
 }  // namespace ribbon_mapper

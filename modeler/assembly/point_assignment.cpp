@@ -73,7 +73,7 @@ class SurfaceIndex {
 /// Finds the surface that a single point lies on.
 class PointAssigner {
  public:
-  PointAssigner(const PlaneMapConfig& config, std::vector<Surface>& surfaces)
+  PointAssigner(const AssemblyConfig& config, std::vector<Surface>& surfaces)
       : on_plane_m_(config.on_plane_m),
         surfaces_(surfaces),
         index_(1.001 * std::hypot(M_SQRT1_2 * config.beside_plane_m, config.on_plane_m)) {
@@ -102,7 +102,7 @@ class PointAssigner {
   /// The surface that most of the points were given to owns the ribbon.
   void give(const PosedSamples& ribbon, std::uint32_t index) {
     const auto faces = [&](const Plane& plane) {
-      return plane.normal.dot(ribbon.normal) > min_cosine_of_side;
+      return plane.normal.dot(ribbon.normal) > kMinCosineOfSide;
     };
     std::uint32_t all = 0;
     ribbon.samples().for_each([&](float along_m, float height_m, std::uint32_t count) {
@@ -177,11 +177,11 @@ std::vector<bool> owned_ribbons(const std::vector<Surface>& surfaces, std::size_
 
 }  // namespace
 
-void assign_points(const Observations& observations, const PlaneMapConfig& config,
+void assign_points(const PosedObservations& observations, const AssemblyConfig& config,
                    std::vector<Surface>& surfaces) {
   PointAssigner taker(config, surfaces);
-  for (std::size_t line = 0; line < observations.unassigned_lines(); ++line) {
-    const UnassignedPoints& unassigned = observations.unassigned(line);
+  for (std::size_t line = 0; line < observations.unassigned().size(); ++line) {
+    const UnassignedPoints& unassigned = observations.unassigned()[line];
     taker.give(unassigned, observations.T_model_base(unassigned.pose));
   }
   const std::vector<bool> owned = owned_ribbons(surfaces, observations.ribbon_count());

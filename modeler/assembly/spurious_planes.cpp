@@ -75,9 +75,9 @@ class Sheet {
 /// A plane that others may lie on.
 class Ground {
  public:
-  Ground(const Sheet& sheet, const PlaneMapConfig& config)
-      : plane_(&sheet.plane()), config_(&config), box_(sheet.box()) {
-    const double margin_m = config.bridged_gap_m + config.on_plane_m;  // twice the wider reach
+  Ground(const Sheet& sheet, double bridged_gap_m, const AssemblyConfig& config)
+      : plane_(&sheet.plane()), bridged_gap_m_(bridged_gap_m), config_(&config), box_(sheet.box()) {
+    const double margin_m = bridged_gap_m + config.on_plane_m;  // twice the wider reach
     box_.min().array() -= margin_m;
     box_.max().array() += margin_m;
   }
@@ -88,18 +88,17 @@ class Ground {
   void explain(const Sheet& other, std::vector<bool>& explained) {
     const double cosine = plane_->normal.dot(other.plane().normal);
     if (cosine <= 0.0) return;  // the back of a thin wall is no part of its front
-    const bool is_spurious_splinter = cosine > min_cosine_of_spurious;
+    const bool is_nearly_parallel = cosine > kMinCosineOfParallel;
     other.for_each_near(*plane_, config_->on_plane_m, [&](std::size_t i, const auto& point) {
       if (explained[i]) return;
-      const Footprint& around = is_spurious_splinter
-                                    ? footprint(beyond_gap_, 0.5 * config_->bridged_gap_m)
-                                    : footprint(beside_, config_->beside_plane_m);
+      const Footprint& around = is_nearly_parallel ? footprint(beyond_gap_, 0.5 * bridged_gap_m_)
+                                                   : footprint(beside_, config_->beside_plane_m);
       explained[i] = around.holds(point, config_->on_plane_m);
     });
   }
 
  private:
-  static constexpr double min_cosine_of_spurious = 0.985;  // 10 degrees
+  static constexpr double kMinCosineOfParallel = 0.985;  // 10 degrees
 
   /// Made when it is first asked for.
   const Footprint& footprint(std::optional<Footprint>& made, double reach_m) {
@@ -108,7 +107,8 @@ class Ground {
   }
 
   const Plane* plane_;
-  const PlaneMapConfig* config_;
+  double bridged_gap_m_;
+  const AssemblyConfig* config_;
   Eigen::AlignedBox3d box_;
   std::optional<Footprint> beside_, beyond_gap_;
 };
@@ -125,33 +125,33 @@ bool is_spurious(const Sheet& sheet, std::vector<Ground>& larger) {
 
 }  // namespace
 
-std::vector<bool> are_spurious(const std::vector<const Plane*>& planes,
-                               const PlaneMapConfig& config) {
+std::vector<bool> are_spurious(const std::vector<const Plane*>& planes, double bridged_gap_m,
+                               const AssemblyConfig& config) {
   std::vector<std::size_t> order(planes.size());
   std::iota(order.begin(), order.end(), std::size_t{0});
   std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
     return planes[a]->area_m2 > planes[b]->area_m2;
   });
-  std::vector<bool> bevels(planes.size());
+  std::vector<bool> spurious(planes.size());
   std::vector<Ground> larger;
   for (const std::size_t i : order) {
     const Sheet sheet(*planes[i]);
-    bevels[i] = is_spurious(sheet, larger);
-    if (!bevels[i]) larger.emplace_back(sheet, config);
+    spurious[i] = is_spurious(sheet, larger);
+    if (!spurious[i]) larger.emplace_back(sheet, bridged_gap_m, config);
   }
-  return bevels;
+  return spurious;
 }
 
-std::vector<Plane> without_spurious_planes(std::vector<Plane> planes,
-                                           const PlaneMapConfig& config) {
+std::vector<Plane> without_spurious_planes(std::vector<Plane> planes, double bridged_gap_m,
+                                           const AssemblyConfig& config) {
   std::stable_sort(planes.begin(), planes.end(),
                    [](const Plane& a, const Plane& b) { return a.area_m2 > b.area_m2; });
   std::vector<const Plane*> pointers;
   for (const Plane& plane : planes) pointers.push_back(&plane);
-  const std::vector<bool> bevels = are_spurious(pointers, config);
+  const std::vector<bool> spurious = are_spurious(pointers, bridged_gap_m, config);
   std::vector<Plane> kept;
   for (std::size_t i = 0; i < planes.size(); ++i) {
-    if (!bevels[i]) kept.push_back(std::move(planes[i]));
+    if (!spurious[i]) kept.push_back(std::move(planes[i]));
   }
   return kept;
 }

@@ -4,7 +4,7 @@
 
 #include <vector>
 
-#include "modeler/association/association_config.hpp"
+#include "modeler/assembly/assembly_config.hpp"
 #include "modeler/surface/plane.hpp"
 
 namespace ribbon_mapper {
@@ -13,10 +13,11 @@ namespace ribbon_mapper {
 /// them. Along a concave edge, lines that straddle it pile up to a convincing plane across the
 /// corner (a bevel). And where few ribbons see a wall's end, the poor normals of some make a second
 /// plane of almost its direction (a splinter), which a gap may part from the rest of the wall.
-std::vector<bool> are_spurious(const std::vector<const Plane*>& planes,
-                               const PlaneMapConfig& config);
+std::vector<bool> are_spurious(const std::vector<const Plane*>& planes, double bridged_gap_m,
+                               const AssemblyConfig& config);
 
 /// Those that are planes, the largest first.
-std::vector<Plane> without_spurious_planes(std::vector<Plane> planes, const PlaneMapConfig& config);
+std::vector<Plane> without_spurious_planes(std::vector<Plane> planes, double bridged_gap_m,
+                                           const AssemblyConfig& config);
 
 }  // namespace ribbon_mapper

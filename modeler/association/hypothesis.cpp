@@ -58,12 +58,12 @@ double Hypothesis::tilt_variance(const Eigen::Vector3d& direction) const {
 
 double min_cosine(const AssociationGates& gates) {
   const double sine = std::sin(std::min(M_PI_4, gates.angle_deg * degree + max_excuse_rad));
-  return std::max(min_cosine_of_side, std::sqrt(1.0 - 2.0 * sine * sine));
+  return std::max(kMinCosineOfSide, std::sqrt(1.0 - 2.0 * sine * sine));
 }
 
 std::optional<double> square_sigmas(const PosedRibbon& ribbon, const Hypothesis& plane,
                                     const AssociationGates& gates) {
-  if (plane.normal().dot(ribbon.normal) < min_cosine_of_side) return std::nullopt;
+  if (plane.normal().dot(ribbon.normal) < kMinCosineOfSide) return std::nullopt;
   const double distance = std::abs(plane.signed_distance(ribbon.centroid)) / gates.distance_m;
   if (distance > 1.0) return std::nullopt;
   const double gate = gates.angle_deg * degree;
@@ -81,7 +81,7 @@ std::optional<double> square_sigmas(const PosedRibbon& ribbon, const Hypothesis&
 
 bool are_one_plane(const Hypothesis& larger, const Hypothesis& smaller,
                    const AssociationGates& gates) {
-  if (larger.normal().dot(smaller.normal()) < min_cosine_of_side) return false;
+  if (larger.normal().dot(smaller.normal()) < kMinCosineOfSide) return false;
   if (std::abs(larger.signed_distance(smaller.fit().mean)) > gates.distance_m) return false;
   const double ms = smaller.moments().mean_square_distance(larger.normal(), larger.d_m());
   if (ms > square(gates.distance_m)) return false;

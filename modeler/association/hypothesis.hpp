@@ -15,7 +15,7 @@
 namespace ribbon_mapper {
 
 /// Ribbons and planes whose normals lie further apart than this were seen from another side.
-constexpr double min_cosine_of_side = 0.5;
+constexpr double kMinCosineOfSide = 0.5;
 
 /// A ribbon's part in a hypothesis.
 struct Member {

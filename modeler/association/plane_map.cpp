@@ -15,13 +15,12 @@ constexpr std::int64_t no_id = -1;
 
 }  // namespace
 
-PlaneMap::PlaneMap(const PlaneMapConfig& config, const AssociationGates& gates,
-                   std::int64_t first_id)
+PlaneMap::PlaneMap(double reach_m, const AssociationGates& gates, std::int64_t first_id)
     : gates_(gates),
       min_cosine_(static_cast<float>(min_cosine(gates)) - 1e-4F),
       max_distance_m_(static_cast<float>(gates.distance_m) + 1e-3F),
       reach_(std::sqrt(2.0 - 2.0 * min_cosine(gates)) + 1e-4),
-      index_(config.bridged_gap_m),
+      index_(reach_m),
       next_id_(first_id) {}
 
 void PlaneMap::add(const PosedRibbon& ribbon, std::uint32_t index) {
@@ -127,26 +126,27 @@ std::vector<Hypothesis> PlaneMap::merged_hypotheses() const {
       is_open[slot] = 0;
       if (!work.absorb_neighbours(slot)) continue;
       changed = true;
-      work.find_parallel(slot);
-      for (const std::uint32_t near : work.near_) is_open[near] = 1;
+      for (const std::uint32_t near : work.parallel_neighbours(slot)) is_open[near] = 1;
     }
   }
   return work.hypotheses();
 }
 
-/// Those near it that may be one plane with it, and itself.
-void PlaneMap::find_parallel(std::uint32_t slot) {
+/// Returns the slots near a hypothesis that may be one plane with it, its own among them.
+std::vector<std::uint32_t> PlaneMap::parallel_neighbours(std::uint32_t slot) {
   const auto is_parallel = [&](std::uint32_t other) {
     return sides_[slot].normal.dot(sides_[other].normal) >= min_cosine_;
   };
-  index_.near(index_.touched_by(slot), cube_side(hypotheses_[slot].normal()), is_parallel, near_);
+  std::vector<std::uint32_t> neighbours;
+  index_.near(index_.touched_by(slot), cube_side(hypotheses_[slot].normal()), is_parallel,
+              neighbours);
+  return neighbours;
 }
 
 bool PlaneMap::absorb_neighbours(std::uint32_t slot) {
   if (!is_alive(slot)) return false;
   bool changed = false;
-  find_parallel(slot);
-  for (const std::uint32_t other : near_) {
+  for (const std::uint32_t other : parallel_neighbours(slot)) {
     if (other == slot || !is_alive(other)) continue;
     if (hypotheses_[other].area_m2() > hypotheses_[slot].area_m2()) continue;
     if (!are_one_plane(hypotheses_[slot], hypotheses_[other], gates_)) continue;

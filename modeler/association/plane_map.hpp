@@ -15,8 +15,9 @@ namespace ribbon_mapper {
 /// the planes that it nearly touches; hypotheses that have grown together are merged as they meet.
 class PlaneMap {
  public:
-  /// New hypotheses get their ids from `first_id` on.
-  PlaneMap(const PlaneMapConfig& config, const AssociationGates& gates, std::int64_t first_id = 0);
+  /// Creates an empty map. A ribbon joins planes within `reach_m` of their ribbons; new hypotheses
+  /// are numbered from `first_id` on.
+  PlaneMap(double reach_m, const AssociationGates& gates, std::int64_t first_id = 0);
 
   /// `index`: by which the ribbon is remembered as a member.
   void add(const PosedRibbon& ribbon, std::uint32_t index);
@@ -45,7 +46,7 @@ class PlaneMap {
   };
   std::uint32_t new_slot();
   void refresh(std::uint32_t slot);
-  void find_parallel(std::uint32_t slot);
+  std::vector<std::uint32_t> parallel_neighbours(std::uint32_t slot);
   bool is_alive(std::uint32_t slot) const { return !hypotheses_[slot].members().empty(); }
   void merge(std::uint32_t into, std::uint32_t from);
   void merge_with(const std::vector<std::uint32_t>& others, std::uint32_t slot);

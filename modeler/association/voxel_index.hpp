@@ -67,7 +67,7 @@ class VoxelIndex {
   struct Voxel {
     std::vector<std::uint32_t> slots;                         // that touch it
     std::vector<std::uint32_t> around;                        // voxels: itself and those next to it
-    std::array<std::vector<std::uint32_t>, cube_sides> near;  // by side: slots that touch these
+    std::array<std::vector<std::uint32_t>, kCubeSides> near;  // by side: slots that touch these
     std::uint32_t question = 0;                               // the last one that it answered
   };
   struct Entry {

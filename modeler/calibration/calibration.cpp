@@ -8,48 +8,49 @@
 #include <cstdio>
 #include <stdexcept>
 
+#include "modeler/config_keys.hpp"
+#include "modeler/geometry/angles.hpp"
 #include "modeler/geometry/square.hpp"
 #include "modeler/scan/scan_line.hpp"
 
 namespace ribbon_mapper {
 namespace {
 
-constexpr double kDegree = M_PI / 180.0;
-
-// Odometry of a robot that stands: 1 mm/s and 0.1 degrees/s are its resolution.
+// The resolution of odometry: a robot that is slower stands still.
 constexpr double kStandingSpeed_m_s = 0.001;
 constexpr double kStandingTurn_rad_s = 0.1 * kDegree;
+// Travel and rotation are counted in steps, so that the noise of odometry does not add up.
 constexpr double kStep_m = 0.1;
 constexpr double kStep_rad = 5.0 * kDegree;
 
-// Lines of two sweeps of the slowest profile that is in use (10 s at 40 Hz a sweep: half a period).
+// Half a period of the slowest tilt profile in use: 5 s at 40 lines a second.
 constexpr std::size_t kMinLines = 200;
 constexpr std::size_t kMinRibbons = 100;
 constexpr double kMinTravel_m = 1.0;
 
-// The plane ahead: faced within 45 degrees.
+// The plane ahead is faced within 45 degrees (cosine).
 constexpr double kMinFacing = 0.7;
 
-// A ribbon is one of the plane if it cannot be of anything else: off its edges, where normals are
-// spoilt, and far within what a local drift does.
+// A ribbon belongs to the plane if it can belong to nothing else: it lies off the plane's edges,
+// where normals are biased, and no further away than a drift within a few metres explains.
 constexpr double kEdge_m = 0.2;
-constexpr double kNear_m = 0.5;
-constexpr double kAlike_rad = 20.0 * kDegree;
+constexpr double kMaxDistance_m = 0.5;
+constexpr double kMaxAngle_rad = 20.0 * kDegree;
 constexpr double kBound_sigmas = 3.0;
 
-/// Where the plane was seen, without its edges.
+/// The bounding rectangle of a plane's cells without its edges.
 struct Interior {
   explicit Interior(const Plane& plane_) : plane(plane_) {
     for (const PlaneCell& cell : plane.cells) {
       const Eigen::Vector3d centre = cell_centre(plane, cell) - plane.origin;
-      least = least.cwiseMin(in_plane(centre));
-      most = most.cwiseMax(in_plane(centre));
+      lower = lower.cwiseMin(in_plane(centre));
+      upper = upper.cwiseMax(in_plane(centre));
     }
   }
 
-  bool holds(const Eigen::Vector3d& point) const {
+  bool contains(const Eigen::Vector3d& point) const {
     const Eigen::Array2d at = in_plane(point - plane.origin);
-    return (at > least + kEdge_m).all() && (at < most - kEdge_m).all();
+    return (at > lower + kEdge_m).all() && (at < upper - kEdge_m).all();
   }
 
   Eigen::Array2d in_plane(const Eigen::Vector3d& offset) const {
@@ -57,7 +58,7 @@ struct Interior {
   }
 
   const Plane& plane;
-  Eigen::Array2d least = Eigen::Array2d::Constant(1e9), most = Eigen::Array2d::Constant(-1e9);
+  Eigen::Array2d lower = Eigen::Array2d::Constant(1e9), upper = Eigen::Array2d::Constant(-1e9);
 };
 
 /// The largest plane that the robot faces.
@@ -71,7 +72,7 @@ Plane plane_ahead(const std::vector<Plane>& planes, const Pose& T_map_base) {
   throw std::runtime_error("calibration: no plane ahead of the robot; let it face a bare wall");
 }
 
-/// Of the points about their ribbon.
+/// The variance of a ribbon's points about it.
 double point_variance_m2(const Ribbon& ribbon) {
   double squares = 0.0, points = 0.0;
   ribbon.samples.for_each([&](float, float height_m, std::uint32_t count) {
@@ -81,16 +82,25 @@ double point_variance_m2(const Ribbon& ribbon) {
   return points > 0.0 ? squares / points : 0.0;
 }
 
-void set_tolerance(RibbonSpread& spread) {
-  spread.tolerance.angle_deg = kBound_sigmas * std::sqrt(spread.angle_variance_rad2) / kDegree;
-  spread.tolerance.distance_m = kBound_sigmas * std::sqrt(spread.distance_variance_m2);
+void set_tolerance(RibbonDeviation& result) {
+  result.tolerance.angle_deg = kBound_sigmas * std::sqrt(result.angle_variance_rad2) / kDegree;
+  result.tolerance.distance_m = kBound_sigmas * std::sqrt(result.distance_variance_m2);
 }
 
 void require(bool condition, const std::string& what) {
   if (!condition) throw std::runtime_error("calibration: " + what);
 }
 
-std::string table_row(const char* name, const RibbonSpread& s, const char* paper) {
+/// Limits every number to the range that its key allows.
+struct LimitToRange {
+  template <typename Number>
+  void operator()(const char*, Number& value, double min, double max) const {
+    value = static_cast<Number>(std::clamp(static_cast<double>(value), min, max));
+  }
+  void operator()(const char*, bool&) const {}
+};
+
+std::string table_row(const char* name, const RibbonDeviation& s, const char* paper) {
   std::array<char, 200> text;
   std::snprintf(text.data(), text.size(), "%-8s %8zu %14.3g %14.3g %14.3g %11.2f %10.1f   %s\n",
                 name, s.ribbons, s.distance_variance_m2, s.angle_variance_rad2,
@@ -101,7 +111,6 @@ std::string table_row(const char* name, const RibbonSpread& s, const char* paper
 
 }  // namespace
 
-/// Travel and turns are counted in steps, which the noise of odometry does not add up to.
 void Calibrator::follow(const LinePoses& poses, double line_s) {
   const Pose& T_odom_first = poses.T_odom_base_first;
   const Pose within = T_odom_first.inverse(Eigen::Isometry) * poses.T_odom_base_last;
@@ -121,7 +130,7 @@ void Calibrator::follow(const LinePoses& poses, double line_s) {
 }
 
 void Calibrator::add(const LaserBeams& beams, const LinePoses& poses) {
-  if (defect_of(beams, poses)) return;
+  if (find_defect(beams, poses)) return;
   follow(poses, to_seconds(end_of(beams) - beams.stamp));
   if (!T_map_standing_) T_map_standing_ = poses.T_map_base;
   LinePoses placed = poses;
@@ -134,34 +143,35 @@ void Calibrator::add(const LaserBeams& beams, const LinePoses& poses) {
 
 bool Calibrator::has_rested() const { return lines_stopped_ >= kMinLines; }
 
-RibbonSpread Calibrator::spread(const Plane& plane, std::size_t first_ribbon,
-                                std::size_t end_ribbon) const {
+RibbonDeviation Calibrator::deviation(const Plane& plane, std::size_t first_ribbon,
+                                      std::size_t end_ribbon) const {
   const Interior interior(plane);
   const std::vector<StampedPose> trajectory = modeler_.trajectory();
-  RibbonSpread spread;
+  RibbonDeviation result;
   double cosines = 0.0, square_cosines = 0.0;
   for (std::size_t i = first_ribbon; i < end_ribbon; ++i) {
     const Ribbon& ribbon = modeler_.ribbons()[i];
     const Pose& T_map_base = trajectory[ribbon.pose].T_map_base;
-    const Eigen::Vector3d centroid = T_map_base * ribbon.spread.mean();
+    const Eigen::Vector3d centroid = T_map_base * ribbon.moments.mean();
     const Eigen::Vector3d normal = T_map_base.linear() * ribbon.normal.cast<double>();
     const double distance_m = std::abs(plane.normal.dot(centroid) + plane.d_m);
     const double cosine = normal.dot(plane.normal);
     const double angle_rad = std::atan2(normal.cross(plane.normal).norm(), cosine);
-    if (distance_m > kNear_m || angle_rad > kAlike_rad || !interior.holds(centroid)) continue;
-    ++spread.ribbons;
-    spread.distance_variance_m2 += square(distance_m) + point_variance_m2(ribbon);
-    spread.angle_variance_rad2 += square(angle_rad);
+    if (distance_m > kMaxDistance_m || angle_rad > kMaxAngle_rad || !interior.contains(centroid))
+      continue;
+    ++result.ribbons;
+    result.distance_variance_m2 += square(distance_m) + point_variance_m2(ribbon);
+    result.angle_variance_rad2 += square(angle_rad);
     cosines += cosine;
     square_cosines += square(cosine);
   }
-  if (spread.ribbons == 0) return spread;
-  const auto count = static_cast<double>(spread.ribbons);
-  spread.distance_variance_m2 /= count;
-  spread.angle_variance_rad2 /= count;
-  spread.scalar_product_variance = std::max(0.0, square_cosines / count - square(cosines / count));
-  set_tolerance(spread);
-  return spread;
+  if (result.ribbons == 0) return result;
+  const auto count = static_cast<double>(result.ribbons);
+  result.distance_variance_m2 /= count;
+  result.angle_variance_rad2 /= count;
+  result.scalar_product_variance = std::max(0.0, square_cosines / count - square(cosines / count));
+  set_tolerance(result);
+  return result;
 }
 
 Calibration Calibrator::result() const {
@@ -172,11 +182,11 @@ Calibration Calibrator::result() const {
   require(travel_m_ >= kMinTravel_m, "the robot has hardly moved; drive it 3 to 5 m");
   Calibration calibration;
   calibration.plane = plane_ahead(planes_stopped_, modeler_.trajectory().front().T_map_base);
-  calibration.stopped = spread(calibration.plane, 0, ribbons_stopped_);
-  calibration.moving = spread(calibration.plane, ribbons_stopped_, modeler_.ribbons().size());
+  calibration.stopped = deviation(calibration.plane, 0, ribbons_stopped_);
+  calibration.moving = deviation(calibration.plane, ribbons_stopped_, modeler_.ribbons().size());
   calibration.travel_m = travel_m_;
   calibration.turn_deg = turn_rad_ / kDegree;
-  for (const RibbonSpread* s : {&calibration.stopped, &calibration.moving}) {
+  for (const RibbonDeviation* s : {&calibration.stopped, &calibration.moving}) {
     require(s->ribbons >= kMinRibbons, "only " + std::to_string(s->ribbons) +
                                            " ribbons on the plane; stay where the laser sees it");
   }
@@ -184,15 +194,13 @@ Calibration Calibrator::result() const {
 }
 
 ModelerConfig with_tolerances(ModelerConfig config, const Calibration& calibration) {
-  const auto within = [](const AssociationGates& gates) {
-    return AssociationGates{std::clamp(gates.angle_deg, 0.1, 45.0),
-                            std::clamp(gates.distance_m, 1e-3, 10.0)};
-  };
-  config.map.slam = within(calibration.moving.tolerance);
-  const AssociationGates sensor = within(calibration.stopped.tolerance);
-  AssociationGates& corrected = config.map.corrected;
+  config.association.slam = calibration.moving.tolerance;
+  const AssociationGates& sensor = calibration.stopped.tolerance;
+  AssociationGates& corrected = config.association.corrected;
   corrected.angle_deg = std::max(corrected.angle_deg, sensor.angle_deg);
   corrected.distance_m = std::max(corrected.distance_m, sensor.distance_m);
+  const LimitToRange limit;
+  visit_keys(config, limit);
   return config;
 }
 

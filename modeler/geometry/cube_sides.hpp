@@ -9,7 +9,7 @@
 namespace ribbon_mapper {
 
 /// Directions sorted by the side of a cube that they point through: -x, x, -y, y, -z, z.
-constexpr int cube_sides = 6;
+constexpr int kCubeSides = 6;
 
 inline int cube_side(const Eigen::Vector3d& direction) {
   Eigen::Index axis;

@@ -23,10 +23,4 @@ std::int32_t floor_to_int(Real x) {
   return i - (x < static_cast<Real>(i) ? 1 : 0);
 }
 
-/// Two integers as one key.
-inline std::uint64_t pair_key(std::int32_t a, std::int32_t b) {
-  return (static_cast<std::uint64_t>(static_cast<std::uint32_t>(a)) << 32) |
-         static_cast<std::uint32_t>(b);
-}
-
 }  // namespace ribbon_mapper

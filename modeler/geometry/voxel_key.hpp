@@ -12,15 +12,15 @@ namespace ribbon_mapper {
 /// A voxel's place, 21 bits for each coordinate (+-10^6 voxels), offset so that the difference of
 /// two keys is that of the places.
 using VoxelKey = std::uint64_t;
-constexpr int voxel_key_bits = 21;
+constexpr int kVoxelKeyBits = 21;
 
 /// Of a point in units of voxels.
 inline VoxelKey voxel_key(const Eigen::Vector3d& point) {
-  constexpr std::int64_t mask = (1 << voxel_key_bits) - 1, middle = 1 << (voxel_key_bits - 1);
+  constexpr std::int64_t mask = (1 << kVoxelKeyBits) - 1, middle = 1 << (kVoxelKeyBits - 1);
   VoxelKey key = 0;
   for (int i = 0; i < 3; ++i) {
     const auto place = static_cast<std::int64_t>(point[i] + middle);  // positive: rounds down
-    key = (key << voxel_key_bits) | static_cast<VoxelKey>(place & mask);
+    key = (key << kVoxelKeyBits) | static_cast<VoxelKey>(place & mask);
   }
   return key;
 }
@@ -35,8 +35,8 @@ void for_each_around(VoxelKey key, const Function& function) {
   for (int dx = -1; dx <= 1; ++dx) {
     for (int dy = -1; dy <= 1; ++dy) {
       for (int dz = -1; dz <= 1; ++dz) {
-        function(key + static_cast<VoxelKey>(dx) * (VoxelKey{1} << (2 * voxel_key_bits)) +
-                 static_cast<VoxelKey>(dy) * (VoxelKey{1} << voxel_key_bits) +
+        function(key + static_cast<VoxelKey>(dx) * (VoxelKey{1} << (2 * kVoxelKeyBits)) +
+                 static_cast<VoxelKey>(dy) * (VoxelKey{1} << kVoxelKeyBits) +
                  static_cast<VoxelKey>(dz));
       }
     }

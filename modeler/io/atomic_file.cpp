@@ -16,7 +16,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Names for temporary files that are tried before giving up; a crash leaves at most one behind.
+/// Number of temporary names to try; a crash leaves at most one file behind.
 constexpr int kTemporaryNames = 100;
 
 std::string advice_for(int error) {
@@ -46,7 +46,7 @@ fs::path directory_of(const fs::path& path) {
   return path.has_parent_path() ? path.parent_path() : fs::path(".");
 }
 
-/// File descriptor that is closed in any case; close() tells whether the system kept its word.
+/// Owner of a file descriptor. close() returns the result of the system call.
 class Descriptor {
  public:
   explicit Descriptor(int fd) : fd_(fd) {}
@@ -62,7 +62,7 @@ class Descriptor {
   int fd_;
 };
 
-/// Opens a file that did not exist before and stores its name in `temporary`.
+/// Creates a new file, stores its name in `temporary` and returns its descriptor, or -1.
 int create_temporary(const fs::path& path, fs::path& temporary) {
   for (int i = 0; i < kTemporaryNames; ++i) {
     const std::string name = "." + path.filename().string() + ".tmp" + std::to_string(i);

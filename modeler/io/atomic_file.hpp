@@ -7,30 +7,34 @@
 
 namespace ribbon_mapper {
 
-/// A file that appears whole or not at all. The bytes go to a temporary file in the same directory,
-/// are checked and flushed to the disk; commit() then puts it in the place of the old file. Without
-/// commit() the old file stays and nothing is left of the new one.
+/// A file that is replaced atomically. The bytes are written to a temporary file in the same
+/// directory, checked and flushed to the disk; commit() renames it. Without commit() the old file
+/// stays and the temporary one is removed.
 class StagedFile {
  public:
-  /// Writes the temporary file. Throws std::runtime_error that says which file could not be
-  /// written, why, and what to do about it.
+  /// Writes the temporary file. Throws std::runtime_error with the file, the reason and a remedy.
   StagedFile(std::filesystem::path path, const std::string& bytes);
+
+  /// Removes the temporary file if it was not committed.
   ~StagedFile();
+
+  /// Takes over the temporary file.
   StagedFile(StagedFile&& other) noexcept;
+
   StagedFile& operator=(StagedFile&&) = delete;
 
-  /// Throws as the constructor does.
+  /// Replaces the file at the path by the temporary one. Throws as the constructor.
   void commit();
 
  private:
   std::filesystem::path path_;
-  std::filesystem::path temporary_;  ///< empty once there is none
+  std::filesystem::path temporary_;  ///< empty after commit()
 };
 
-/// Stages and commits. Throws as StagedFile does.
+/// Writes a file atomically. Throws as StagedFile.
 void write_file_atomically(const std::filesystem::path& path, const std::string& bytes);
 
-/// Creates the directory and those above it. Throws as StagedFile does.
+/// Creates a directory with its parents. Throws as StagedFile.
 void create_directory_for_files(const std::filesystem::path& directory);
 
 }  // namespace ribbon_mapper

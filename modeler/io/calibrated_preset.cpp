@@ -10,17 +10,17 @@
 namespace ribbon_mapper {
 namespace {
 
-std::string variances(const char* name, const RibbonSpread& spread) {
+std::string variances(const char* name, const RibbonDeviation& deviation) {
   std::array<char, 160> text;
   std::snprintf(
       text.data(), text.size(),
       "# %s: distance %.3g m2, normals %.3g rad2, their scalar products %.3g; %zu ribbons\n", name,
-      spread.distance_variance_m2, spread.angle_variance_rad2, spread.scalar_product_variance,
-      spread.ribbons);
+      deviation.distance_variance_m2, deviation.angle_variance_rad2,
+      deviation.scalar_product_variance, deviation.ribbons);
   return text.data();
 }
 
-/// A comment ends with its line.
+/// Replaces line ends, which would end a YAML comment.
 std::string in_one_line(std::string text) {
   for (char& character : text) {
     if (character == '\n' || character == '\r') character = ' ';
@@ -28,7 +28,7 @@ std::string in_one_line(std::string text) {
   return text;
 }
 
-/// Tolerances with as many digits as mean anything.
+/// Rounds to three significant digits.
 double rounded(double value) {
   std::array<char, 32> text;
   std::snprintf(text.data(), text.size(), "%.3g", value);
@@ -40,7 +40,7 @@ double rounded(double value) {
 std::string calibrated_preset(const ModelerConfig& config, const Calibration& calibration,
                               const std::string& source) {
   ModelerConfig learned = with_tolerances(config, calibration);
-  for (AssociationGates* gates : {&learned.map.slam, &learned.map.corrected}) {
+  for (AssociationGates* gates : {&learned.association.slam, &learned.association.corrected}) {
     gates->angle_deg = rounded(gates->angle_deg);
     gates->distance_m = rounded(gates->distance_m);
   }

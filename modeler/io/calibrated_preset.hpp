@@ -8,8 +8,8 @@
 
 namespace ribbon_mapper {
 
-/// The preset with the tolerances that were learned, for load_config(); V_sensor, V_slam and
-/// `source` (what they were learned from) in comments above.
+/// Returns a preset for load_config() with the learned tolerances. Comments at its head state
+/// `source`, the origin of the data, and the variances V_sensor and V_slam.
 std::string calibrated_preset(const ModelerConfig& config, const Calibration& calibration,
                               const std::string& source);
 

@@ -9,8 +9,8 @@
 namespace ribbon_mapper {
 namespace {
 
-/// One channel of a colour given as hue, saturation and value, each in 0..1. The channels are
-/// offset by 5 (red), 3 (green) and 1 (blue) sixths of the circle.
+/// Returns one channel of an HSV colour, all in 0..1. `offset` is 5 for red, 3 for green and 1 for
+/// blue, in sixths of the hue circle.
 std::uint8_t channel(double offset, double hue, double saturation, double value) {
   const double k = std::fmod(offset + 6.0 * hue, 6.0);
   const double share = std::clamp(std::min(k, 4.0 - k), 0.0, 1.0);
@@ -20,7 +20,7 @@ std::uint8_t channel(double offset, double hue, double saturation, double value)
 }  // namespace
 
 Colour plane_colour(std::int64_t id) {
-  constexpr double kGoldenRatio = 0.618033988749895;  // spreads hues evenly, however many there are
+  constexpr double kGoldenRatio = 0.618033988749895;  // distributes any number of hues evenly
   constexpr std::array<double, 3> kSaturations{0.85, 0.60, 0.95};
   constexpr std::array<double, 3> kValues{0.90, 0.95, 0.65};
   const double turns = static_cast<double>(id) * kGoldenRatio;

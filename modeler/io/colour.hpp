@@ -6,12 +6,15 @@
 
 namespace ribbon_mapper {
 
+/// An RGB colour.
 struct Colour {
-  std::uint8_t red = 0, green = 0, blue = 0;
+  std::uint8_t red = 0;    ///< 0 to 255
+  std::uint8_t green = 0;  ///< 0 to 255
+  std::uint8_t blue = 0;   ///< 0 to 255
 };
 
-/// The colour of a plane wherever planes are shown. Ids that follow each other differ clearly, and
-/// none is near white or black, so that planes stand out from the ones before a correction.
+/// Returns the colour of a plane, the same in all outputs. Consecutive ids differ clearly, and no
+/// colour is near white, grey or black, which are used for planes before a correction.
 Colour plane_colour(std::int64_t id);
 
 }  // namespace ribbon_mapper

@@ -13,6 +13,7 @@
 #include <vector>
 
 #include "modeler/config_keys.hpp"
+#include "modeler/io/renamed_keys.hpp"
 
 namespace ribbon_mapper {
 namespace {
@@ -30,7 +31,7 @@ void flatten(const YAML::Node& node, const std::string& prefix, Values& values) 
   }
 }
 
-/// Takes the value of each known key out of `values`.
+/// Assigns the values of known keys and removes them from `values`.
 struct Assignment {
   Values& values;
   std::string known;
@@ -66,15 +67,17 @@ ModelerConfig read(const std::string& path) {
   ModelerConfig config;
   Assignment assignment{values, {}};
   visit_keys(config, assignment);
-  if (!values.empty()) {
-    throw std::invalid_argument("unknown key " + values.begin()->first + "; known are" +
-                                assignment.known);
+  for (const auto& [key, value] : values) {
+    if (const auto name = present_name_of(key)) {
+      throw std::invalid_argument(key + " was renamed: write " + *name);
+    }
+    throw std::invalid_argument("unknown key " + key + "; known are" + assignment.known);
   }
   config.validate();
   return config;
 }
 
-/// Writes each key on a line of its own, below the sections that it is in.
+/// Writes each key on its own line, below its sections.
 struct Listing {
   std::string text;
   std::vector<std::string> sections;
@@ -117,8 +120,8 @@ ModelerConfig load_config(const std::string& path) {
   try {
     return read(path);
   } catch (const YAML::BadFile&) {
-    throw std::invalid_argument(path + ": cannot be read: is there such a file?");
-  } catch (const std::ios_base::failure& error) {  // a folder, for instance
+    throw std::invalid_argument(path + ": cannot be read: does the file exist?");
+  } catch (const std::ios_base::failure& error) {  // for example, the path is a folder
     throw std::invalid_argument(path + ": cannot be read: " + error.what());
   } catch (const YAML::Exception& error) {
     throw std::invalid_argument(path + ": " + error.what());

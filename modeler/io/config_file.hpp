@@ -8,12 +8,12 @@
 
 namespace ribbon_mapper {
 
-/// Reads a preset (config/*.yaml): sections of keys; keys that are left out keep their defaults.
-/// Throws std::invalid_argument that names the file, the key and what is allowed, if the file
-/// cannot be read, a key is unknown, a value is of the wrong kind or out of range.
+/// Reads a preset (config/*.yaml). Keys that are not in the file keep their defaults. Throws
+/// std::invalid_argument with the file, the key and the allowed values if the file cannot be read,
+/// a key is unknown, or a value has the wrong type or is out of range.
 ModelerConfig load_config(const std::string& path);
 
-/// A preset with every key, which load_config() reads as the same values.
+/// Returns a preset with all keys, from which load_config() reads the same values.
 std::string config_to_yaml(const ModelerConfig& config);
 
 }  // namespace ribbon_mapper

@@ -18,7 +18,8 @@ void occupy(octomap::OcTree& tree, const Eigen::Vector3d& point) {
                     tree.getClampingThresMaxLog(), kInnerNodesLater);
 }
 
-/// A cell lies askew in the voxels: four points in it, half a cell apart, leave no holes.
+/// Occupies the voxels of a cell by four points half a cell apart, which leaves no holes in oblique
+/// planes.
 void occupy(octomap::OcTree& tree, const Plane& plane, const PlaneCell& cell) {
   const Eigen::Vector3d centre = cell_centre(plane, cell);
   const double quarter_m = 0.25 * plane.cell_size_m;
@@ -29,7 +30,7 @@ void occupy(octomap::OcTree& tree, const Plane& plane, const PlaneCell& cell) {
   }
 }
 
-/// What OcTree::writeBinary() writes; that one reports to stderr each time.
+/// Returns the bytes that OcTree::writeBinary() writes, without its messages on stderr.
 std::string binary_file(const octomap::OcTree& tree) {
   std::ostringstream stream;
   stream << "# Octomap OcTree binary file\nid OcTree\nsize " << tree.size() << "\nres "

@@ -9,8 +9,8 @@
 
 namespace ribbon_mapper {
 
-/// The surfaces as an OctoMap (.bt, voxels of 5 cm, map frame): every voxel that a seen cell
-/// touches is occupied. What is free is not in the model, so it stays unknown.
+/// Converts planes to an OctoMap (.bt, voxels of 5 cm, map frame). Voxels that an observed cell
+/// touches are occupied; all others are unknown, as the model holds no free space.
 std::string planes_to_octomap(const std::vector<Plane>& planes);
 
 }  // namespace ribbon_mapper

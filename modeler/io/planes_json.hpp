@@ -10,13 +10,14 @@
 
 namespace ribbon_mapper {
 
-/// Smallest axis-aligned box in map around the outline or, where there is none, around the cells.
+/// Returns the axis-aligned bounding box of the outline, or of the cells if there is no outline
+/// (map frame).
 Eigen::AlignedBox3d bounding_box(const Plane& plane);
 
-/// Planes as JSON, one per line:
-/// {"planes": [{"id", "normal", "d", "area", "centroid", "bbox": [min, max], "outline"}]},
-/// n.p + d = 0 with n towards the seen side, metres, map frame. The same planes give the same
-/// bytes, and every number is read back as exactly the same double.
+/// Converts planes to JSON, one plane per line:
+/// {"planes": [{"id", "normal", "d", "area", "centroid", "bbox": [min, max], "outline"}]}.
+/// Metres, map frame; n.p + d = 0 with n towards the observed side. The bytes are reproducible, and
+/// numbers are written with all digits of a double.
 std::string planes_to_json(const std::vector<Plane>& planes);
 
 }  // namespace ribbon_mapper

@@ -11,7 +11,7 @@
 namespace ribbon_mapper {
 namespace {
 
-/// Appends the bytes of a number, least significant first, whatever the machine.
+/// Appends the bytes of a number in little-endian order on any machine.
 template <typename Number>
 void append(std::string& bytes, Number number) {
   std::array<char, sizeof(Number)> raw;
@@ -47,7 +47,7 @@ std::string header(std::size_t vertices, const std::string& more) {
          more + "end_header\n";
 }
 
-/// Two triangles of one plane, over four corners that follow each other counter-clockwise.
+/// Appends the two triangles of a rectangle with four counter-clockwise corners.
 void append_faces(std::string& bytes, std::int32_t first_corner, std::int64_t plane_id) {
   for (const auto& triangle : {std::array{0, 1, 2}, std::array{0, 2, 3}}) {
     append(bytes, std::uint8_t{3});

@@ -9,13 +9,14 @@
 
 namespace ribbon_mapper {
 
-// Binary little-endian PLY in the map frame, metres; colours by plane_colour(id).
+// Binary little-endian PLY, metres, map frame, colours from plane_colour().
 
-/// The surfaces of the planes as triangles, their front towards the seen side. Vertices have a
-/// normal and a colour, faces the id of their plane.
+/// Converts planes to a triangle mesh that faces the observed side. Vertices have a normal and a
+/// colour, faces the id of their plane.
 std::string planes_to_ply_mesh(const std::vector<Plane>& planes);
 
-/// The centres of the seen cells, each with the normal, the colour and the id of its plane.
+/// Converts planes to a cloud of the centres of their cells, each with the normal, colour and id of
+/// its plane.
 std::string planes_to_ply_cloud(const std::vector<Plane>& planes);
 
 }  // namespace ribbon_mapper

@@ -10,14 +10,14 @@
 
 namespace ribbon_mapper {
 
-/// Throws std::invalid_argument unless `name` is a plain file name: a letter, a digit or '_',
-/// then up to 63 of these or '.' or '-', without "..".
+/// Checks that `name` is a plain file name: a letter, digit or '_', then up to 63 letters, digits,
+/// '_', '.' or '-', without "..". Throws std::invalid_argument otherwise.
 void check_save_name(const std::string& name);
 
-/// Writes into `directory` (created where needed): the planes as <name>.json and as the mesh
-/// <name>.ply, their cells as <name>_cells.ply and as the OctoMap <name>.bt. Files of an earlier
-/// save are replaced only after all four are on the disk; returns their paths. Throws
-/// std::invalid_argument (the name) or std::runtime_error (which file, why, what to do).
+/// Writes planes into `directory`, which is created if needed: <name>.json, the mesh <name>.ply,
+/// the cells <name>_cells.ply and the OctoMap <name>.bt. Older files are replaced only after all
+/// four are on the disk. Returns the four paths. Throws std::invalid_argument for a bad name, and
+/// std::runtime_error with the file, the reason and a remedy.
 std::vector<std::filesystem::path> save_model(const std::vector<Plane>& planes,
                                               const std::filesystem::path& directory,
                                               const std::string& name);

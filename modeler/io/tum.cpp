@@ -16,7 +16,7 @@
 namespace ribbon_mapper {
 namespace {
 
-constexpr double kQuaternionTolerance = 0.01;  // files carry as few as four decimals
+constexpr double kQuaternionTolerance = 0.01;  // some files have only four decimals
 
 std::string to_line(const StampedPose& pose) {
   const auto since_epoch = pose.stamp.count();
@@ -32,11 +32,11 @@ std::string to_line(const StampedPose& pose) {
   return line.data();
 }
 
-/// Empty for a pose, otherwise what is wrong with the line.
+/// Parses a line into `pose`. Returns an error message, empty on success.
 std::string parse_line(const std::string& line, StampedPose& pose) {
   std::istringstream stream(line);
   stream.imbue(std::locale::classic());
-  long double stamp_s = 0.0L;  // a double would round today's nanoseconds
+  long double stamp_s = 0.0L;  // a double cannot hold nanoseconds since 1970
   std::array<double, 7> v{};
   stream >> stamp_s;
   for (double& value : v) stream >> value;
@@ -44,7 +44,7 @@ std::string parse_line(const std::string& line, StampedPose& pose) {
   if (stream >> std::ws; !stream.eof()) return "more than 8 numbers";
   const Eigen::Quaterniond q(v[6], v[3], v[4], v[5]);
   if (!(std::abs(q.norm() - 1.0) <= kQuaternionTolerance))
-    return "the quaternion is not of length 1";
+    return "the quaternion does not have unit length";
   constexpr long double kLargest_s = std::numeric_limits<Time::rep>::max() / 1e9L;
   if (!(std::abs(stamp_s) < kLargest_s)) return "the stamp is too large";
   pose.stamp = Time(static_cast<Time::rep>(std::llround(stamp_s * 1e9L)));
@@ -85,7 +85,7 @@ std::vector<StampedPose> from_tum(const std::string& text, const std::string& na
 
 std::vector<StampedPose> read_tum(const std::filesystem::path& path) {
   std::ifstream file(path);
-  file.peek();  // a directory can be opened, but not read
+  file.peek();  // a directory can be opened but not read
   if (!file.is_open() || file.bad()) {
     throw std::runtime_error("cannot read " + path.string() + ": " + std::strerror(errno));
   }

@@ -10,18 +10,17 @@
 
 namespace ribbon_mapper {
 
-/// Poses of base_footprint in map as text, one a line: "stamp tx ty tz qx qy qz qw" (seconds,
-/// metres, unit quaternion), as the TUM RGB-D benchmark and most SLAM tools write them. Stamps are
-/// exact to the nanosecond.
+/// Converts poses of base_footprint in map to the text format of the TUM RGB-D benchmark. Each line
+/// is "stamp tx ty tz qx qy qz qw" (seconds, metres, unit quaternion); stamps are exact to the
+/// nanosecond.
 std::string to_tum(const std::vector<StampedPose>& trajectory);
 
-/// The inverse; empty lines and those that start with '#' are skipped. Throws std::runtime_error
-/// that names the line if a number is missing, superfluous or not finite, if the quaternion is
-/// further than 1 % from unit length, or if the stamps do not increase. `name` stands for the text
-/// in these errors.
+/// Parses text in TUM format; empty lines and lines that start with '#' are skipped. Throws
+/// std::runtime_error with `name` and the line if a number is missing, superfluous or not finite,
+/// if the quaternion deviates from unit length by more than 1 %, or if stamps do not increase.
 std::vector<StampedPose> from_tum(const std::string& text, const std::string& name);
 
-/// Reads a file. Throws std::runtime_error if it cannot be read, and as from_tum() does.
+/// Reads a file in TUM format. Throws std::runtime_error if it cannot be read, and as from_tum().
 std::vector<StampedPose> read_tum(const std::filesystem::path& path);
 
 }  // namespace ribbon_mapper

@@ -2,65 +2,66 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <cstddef>
+#include <cstdint>
 #include <vector>
 
-#include "modeler/geometry/pose.hpp"
-#include "modeler/observations/posed_ribbon.hpp"
-#include "modeler/ribbon/unassigned_points.hpp"
+#include "modeler/observations/posed_observations.hpp"
+#include "modeler/ribbon/line_observations.hpp"
+#include "modeler/ribbon/packed_store.hpp"
+#include "modeler/trajectory/trajectory.hpp"
 
 namespace ribbon_mapper {
 
-/// All that a model is made of: the ribbons, the points that belong to none, and the poses that
-/// they were acquired from. The model is evaluated in a world that is fixed to the first
-/// acquisition pose, so a trajectory that is moved as a whole moves every plane by just that.
+/// All that a model is a function of: the ribbons and unassigned points, each in the frame of its
+/// acquisition pose, and the trajectory of these poses.
+///
+/// Nothing here is in world coordinates, so nothing has to be edited when the trajectory changes:
+/// the model is evaluated again. Every operation keeps lines, poses and ribbons in step.
 class Observations {
  public:
-  Observations(const std::vector<Ribbon>& ribbons, const std::vector<UnassignedPoints>& unassigned,
-               const std::vector<StampedPose>& poses)
-      : ribbons_(&ribbons), unassigned_(&unassigned) {
-    if (poses.empty()) return;
-    T_map_model_ = poses.front().T_map_base;
-    const Pose T_model_map = T_map_model_.inverse(Eigen::Isometry);
-    T_model_base_.reserve(poses.size());
-    for (const StampedPose& pose : poses) T_model_base_.emplace_back(T_model_map * pose.T_map_base);
-  }
+  /// Creates observations without lines.
+  explicit Observations(const TrajectoryConfig& config) : trajectory_(config) {}
 
-  const Pose& T_map_model() const { return T_map_model_; }
-  const Pose& T_model_base(std::uint32_t pose) const { return T_model_base_[pose]; }
+  /// Adds a line with its acquisition pose, whose stamp must be later than that of the last line.
+  /// Copies what `line` refers to, and returns the index of its first ribbon.
+  std::uint32_t add_line(const TrackedPose& pose, const LineObservations& line);
 
-  std::size_t ribbon_count() const { return ribbons_->size(); }
-  const Ribbon& source(std::size_t index) const { return (*ribbons_)[index]; }
-  PosedRibbon ribbon(std::size_t index) const {
-    const Ribbon& ribbon = source(index);
-    return {ribbon, T_model_base(ribbon.pose)};
-  }
-  PosedSamples samples(std::size_t index) const {
-    const Ribbon& ribbon = source(index);
-    return {ribbon, T_model_base(ribbon.pose)};
-  }
-  /// Somebody will ask for samples(index) very soon, for those of `later` soon: ribbons and their
-  /// samples lie all over the memory, and are fetched meanwhile.
-  void prefetch(std::size_t index, std::size_t later) const {
-    prefetch_lines<sizeof(Ribbon)>(&source(later));
-    prefetch_lines<64 * sizeof(PackedSample)>(source(index).samples.first);
-  }
+  /// Corrects the trajectory. Throws std::invalid_argument as Trajectory::correct() does; the
+  /// observations are then unchanged.
+  void correct(const std::vector<StampedPose>& corrected) { trajectory_.correct(corrected); }
 
-  std::size_t unassigned_lines() const { return unassigned_->size(); }
-  const UnassignedPoints& unassigned(std::size_t line) const { return (*unassigned_)[line]; }
+  /// Replaces all poses of a corrected trajectory; see Trajectory::refine().
+  void refine(const std::vector<StampedPose>& poses) { trajectory_.refine(poses); }
+
+  /// Removes ribbons where the same surface was seen most often, until `count` of them are left,
+  /// and lines that no remaining ribbon came from. Returns the ascending former indices of the
+  /// remaining ribbons; see thinned().
+  std::vector<std::uint32_t> thin(std::size_t count);
+
+  /// Returns all ribbons in the order of their lines and beams. Ribbon::pose indexes trajectory().
+  const std::vector<Ribbon>& ribbons() const { return ribbons_; }
+  /// Returns the unassigned points, one element for each pose of trajectory().
+  const std::vector<UnassignedPoints>& unassigned() const { return unassigned_; }
+  /// Returns the acquisition poses.
+  const Trajectory& trajectory() const { return trajectory_; }
+  /// Returns an acquisition pose in the model's frame: relative to the first acquisition pose.
+  Pose T_model_base(std::size_t pose) const {
+    return trajectory_.T_map_base(0).inverse(Eigen::Isometry) * trajectory_.T_map_base(pose);
+  }
+  /// Returns all observations at the poses of now. Unpacks every pose; valid until they change.
+  PosedObservations posed() const { return {ribbons_, unassigned_, trajectory_.poses()}; }
+  /// Returns the memory in use.
+  std::size_t memory_bytes() const;
 
  private:
-  template <std::size_t bytes>
-  static void prefetch_lines(const void* memory) {
-    constexpr std::size_t line = 64;
-    for (std::size_t i = 0; i < bytes; i += line) {
-      __builtin_prefetch(static_cast<const char*>(memory) + i);
-    }
-  }
+  void compact_storage();
 
-  const std::vector<Ribbon>* ribbons_;
-  const std::vector<UnassignedPoints>* unassigned_;
-  Pose T_map_model_ = Pose::Identity();
-  std::vector<Pose> T_model_base_;
+  std::vector<Ribbon> ribbons_;
+  std::vector<UnassignedPoints> unassigned_;  // by pose
+  Trajectory trajectory_;
+  PackedStore<PackedSample> samples_;  // of the ribbons
+  PackedStore<PackedPoint> points_;    // of the unassigned points
 };
 
 }  // namespace ribbon_mapper

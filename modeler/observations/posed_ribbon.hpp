@@ -15,7 +15,7 @@ namespace ribbon_mapper {
 struct PosedSamples {
   PosedSamples(const Ribbon& source, const Pose& pose)
       : ribbon(&source),
-        centroid(pose * source.spread.mean()),
+        centroid(pose * source.moments.mean()),
         normal(pose.linear() * source.normal.cast<double>()),
         along(pose.linear() * source.along.cast<double>()) {}
 
@@ -33,7 +33,7 @@ struct PosedSamples {
 struct PosedRibbon : PosedSamples {
   PosedRibbon(const Ribbon& source, const Pose& pose)
       : PosedSamples(source, pose),
-        moments(source.spread.transformed(pose)),
+        moments(source.moments.transformed(pose)),
         across(normal.cross(along)) {}
 
   Moments moments;

@@ -21,7 +21,7 @@ constexpr double place_m = 0.25;  // five cells: a few lines of one sweep
 /// How many ribbons see each place from each of six sides.
 class Density {
  public:
-  explicit Density(const Observations& observations) {
+  explicit Density(const PosedObservations& observations) {
     for (std::uint32_t i = 0; i < observations.ribbon_count(); ++i) {
       first_.push_back(static_cast<std::uint32_t>(places_.size()));
       enter(observations.ribbon(i));
@@ -65,7 +65,7 @@ class Density {
 
 }  // namespace
 
-std::vector<std::uint32_t> thinned(const Observations& observations, std::size_t count) {
+std::vector<std::uint32_t> thinned(const PosedObservations& observations, std::size_t count) {
   const std::size_t all = observations.ribbon_count();
   std::vector<std::uint32_t> kept(all);
   std::iota(kept.begin(), kept.end(), 0u);

@@ -6,13 +6,13 @@
 #include <cstdint>
 #include <vector>
 
-#include "modeler/observations/observations.hpp"
+#include "modeler/observations/posed_observations.hpp"
 
 namespace ribbon_mapper {
 
 /// Indices, in order, of the `count` ribbons to keep so that the thinnest places stay as they are:
 /// one after the other, the ribbon is left out whose every stretch is seen by the most others that
 /// look the same way. All if there are no more than that.
-std::vector<std::uint32_t> thinned(const Observations& observations, std::size_t count);
+std::vector<std::uint32_t> thinned(const PosedObservations& observations, std::size_t count);
 
 }  // namespace ribbon_mapper

@@ -16,7 +16,8 @@
 namespace ribbon_mapper {
 namespace {
 
-/// Runs a program to its end, without a shell. Its exit code, or -1 if it did not start or crashed.
+/// Runs a program without a shell and waits for it. Returns its exit code, or -1 if it did not
+/// start or crashed.
 int run(std::string program, std::string script, std::string argument) {
   const std::array<char*, 4> command{program.data(), script.data(), argument.data(), nullptr};
   pid_t child = -1;
@@ -46,11 +47,11 @@ const char* name_of(Figure figure) {
 
 bool draw_figure(Figure figure, const std::filesystem::path& directory) {
   const std::string name = name_of(figure);
-  const auto script = share_directory() / "eval" / "figures" / (name + ".py");
+  const auto script = installed_directory() / "eval" / "figures" / (name + ".py");
   if (run(RIBBON_MAPPER_PYTHON, script.string(), directory.string()) == 0) return true;
   std::fprintf(stderr,
-               "warning: %s.svg and .png were not drawn (see above; is python3-matplotlib "
-               "installed?); %s %s %s draws them from the files\n",
+               "warning: %s.svg and .png were not drawn, see above (is python3-matplotlib "
+               "installed?). To draw them later, run: %s %s %s\n",
                name.c_str(), RIBBON_MAPPER_PYTHON, script.c_str(), directory.c_str());
   return false;
 }

@@ -6,14 +6,15 @@
 
 namespace ribbon_mapper {
 
+/// Figures that the programs can draw.
 enum class Figure {
-  before_after,   ///< the planes of a run, from the files of write_results()
-  dose_response,  ///< counts and F1 against drift, from the summary.json of a sweep
-  model_views,    ///< a model from above and from the side, from the files of offline_modeler
+  before_after,   ///< planes of a run before and after its correction, from write_results()
+  dose_response,  ///< counts and F1 over drift, from the summary.json of a series
+  model_views,    ///< top and side view of a model, from the files of offline_modeler
 };
 
-/// Draws <name>.svg and <name>.png from the files in `directory`, with matplotlib in a process of
-/// its own. False, and a warning on stderr, if that cannot be done.
+/// Draws <name>.svg and <name>.png from the files in `directory`, with matplotlib in a separate
+/// process. Returns false after a warning on stderr if that fails.
 bool draw_figure(Figure figure, const std::filesystem::path& directory);
 
 }  // namespace ribbon_mapper

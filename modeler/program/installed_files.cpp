@@ -8,7 +8,7 @@ namespace ribbon_mapper {
 
 namespace fs = std::filesystem;
 
-fs::path share_directory() {
+fs::path installed_directory() {
   std::error_code error;
   const fs::path program = fs::read_symlink("/proc/self/exe", error);  // <prefix>/lib/<package>/*
   const fs::path prefix = program.parent_path().parent_path().parent_path();
@@ -17,15 +17,15 @@ fs::path share_directory() {
   return RIBBON_MAPPER_SOURCE_DIR;
 }
 
-fs::path find_shared(const fs::path& path) {
+fs::path find_installed_file(const fs::path& path) {
   std::error_code error;
   if (fs::exists(path, error)) return path;
-  const fs::path shared = share_directory() / path;
+  const fs::path shared = installed_directory() / path;
   return fs::exists(shared, error) ? shared : path;
 }
 
-fs::path shared_name(const fs::path& path) {
-  const fs::path name = path.lexically_normal().lexically_relative(share_directory());
+fs::path portable_name(const fs::path& path) {
+  const fs::path name = path.lexically_normal().lexically_relative(installed_directory());
   return name.empty() || *name.begin() == ".." ? path : name;
 }
 

@@ -6,16 +6,16 @@
 
 namespace ribbon_mapper {
 
-/// Where config/, worlds/ and the figure scripts are: beside the installed programs, otherwise in
-/// the sources that they were built from.
-std::filesystem::path share_directory();
+/// Returns the folder with config/, worlds/ and the figure scripts: the package's share folder if
+/// the program is installed, otherwise the source folder that it was built from.
+std::filesystem::path installed_directory();
 
-/// `path` if there is such a file, otherwise the one of that name in the share directory; `path` if
-/// there is neither.
-std::filesystem::path find_shared(const std::filesystem::path& path);
+/// Returns `path` if the file exists, otherwise the file of that name in installed_directory().
+/// Returns `path` if neither exists.
+std::filesystem::path find_installed_file(const std::filesystem::path& path);
 
-/// The inverse, for records that other machines can follow: a path within the share directory as
-/// seen from there, others as they are.
-std::filesystem::path shared_name(const std::filesystem::path& path);
+/// Returns the name of a file for logs that are read on other machines: relative to
+/// installed_directory() for files in it, unchanged for others.
+std::filesystem::path portable_name(const std::filesystem::path& path);
 
 }  // namespace ribbon_mapper

@@ -11,7 +11,7 @@ namespace ribbon_mapper {
 namespace {
 
 constexpr int kBarWidth = 16;                  // the whole line fits into 80 columns
-constexpr const char* kWipeLine = "\r\x1b[K";  // to its end
+constexpr const char* kWipeLine = "\r\x1b[K";  // erases to the end of the line
 
 double share_done(const Progress& progress) {
   if (progress.lines == 0) return 0.0;
@@ -50,10 +50,10 @@ void ProgressBar::print(const std::string& lines) {
   wipe();
   std::fputs(lines.c_str(), stdout);
   std::fflush(stdout);
-  shown_percent_ = on_terminal_ ? -1 : shown_percent_;  // the bar comes back with the next step
+  shown_percent_ = on_terminal_ ? -1 : shown_percent_;  // the bar reappears at the next step
 }
 
-/// From what is done, as soon as that says anything.
+// Extrapolates from the share done, once that is meaningful.
 std::string ProgressBar::time_left(double done) const {
   if (done < 0.02 || done >= 1.0) return "";
   const std::chrono::duration<double> passed = std::chrono::steady_clock::now() - start_;

@@ -9,18 +9,22 @@
 
 namespace ribbon_mapper {
 
-/// Shows progress on stderr: a bar that moves on a terminal, a line for every 10 % in a log.
+/// Shows progress on stderr: as a moving bar on a terminal, as a line for every 10 % elsewhere.
 class ProgressBar {
  public:
+  /// Starts the clock for the time left.
   ProgressBar();
-  /// Wipes a bar that has not come to its end.
+
+  /// Erases an unfinished bar.
   ~ProgressBar();
+
   ProgressBar(const ProgressBar&) = delete;
   ProgressBar& operator=(const ProgressBar&) = delete;
 
+  /// Updates the bar, or prints a line if a further 10 % are done.
   void show(const Progress& progress);
 
-  /// Writes lines to stdout, above the bar.
+  /// Prints lines to stdout, above the bar.
   void print(const std::string& lines);
 
  private:

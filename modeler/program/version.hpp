@@ -6,7 +6,7 @@
 
 namespace ribbon_mapper {
 
-/// Of the package, with the commit that it was configured at where that is known.
+/// Returns the version of the package, with the commit that it was configured at if known.
 std::string version();
 
 }  // namespace ribbon_mapper

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <stdexcept>
 
 #include "modeler/geometry/square.hpp"
 
@@ -13,19 +14,22 @@ namespace ribbon_mapper {
 namespace {
 
 using Indices = std::array<int, 3>;
-constexpr Indices in_plane{0, 1, 5}, out_of_plane{2, 3, 4};
-constexpr double min_scale = 0.01;
-// What a step's error has at least, that beliefs stay regular: 0.01 mm, 0.01 mrad.
-constexpr double min_variance = 1e-10;
+constexpr Indices kInPlane{0, 1, 5}, kOutOfPlane{2, 3, 4};
+// A floor that is level to 0.1 mrad: what remains of an odometry that shows no error.
+constexpr double kMinScale = 0.01;
+// 0.01 mm and 0.01 mrad, far below any sensor, so that beliefs stay regular.
+constexpr double kMinVariance = 1e-10;
+// gmapping, motionmodel.cpp: a translation errs to the side by this part of its error ahead.
+constexpr double kSidewaysShare = 0.3;
 
-/// Square of an error in sigmas, per component.
-double mean_square_of(const PoseBelief& expected, const Pose& truth, const Indices& of) {
+/// The squared Mahalanobis distance of some components of the error, per component.
+double mean_square_sigmas(const PoseBelief& expected, const Pose& truth, const Indices& indices) {
   const Vector6 error = error_between(expected.T_model_base, truth);
   Eigen::Vector3d e;
   Eigen::Matrix3d covariance;
   for (int i = 0; i < 3; ++i) {
-    e[i] = error[of[i]];
-    for (int j = 0; j < 3; ++j) covariance(i, j) = expected.covariance(of[i], of[j]);
+    e[i] = error[indices[i]];
+    for (int j = 0; j < 3; ++j) covariance(i, j) = expected.covariance(indices[i], indices[j]);
   }
   return e.dot(covariance.ldlt().solve(e)) / 3.0;
 }
@@ -39,28 +43,37 @@ Vector6 OdometryNoise::variances(const Pose& step) const {
     return square(per_drive * linear_update_m) * drives +
            square(per_turn * angular_update_rad) * turns;
   };
-  const double x = variance(srr, str), y = variance(0.3 * srr, str), yaw = variance(srt, stt);
-  const double p = square(planar), s = square(spatial);
+  const double x = variance(srr, str), y = variance(kSidewaysShare * srr, str),
+               yaw = variance(srt, stt);
+  const double p = square(planar_scale), s = square(spatial_scale);
   Vector6 result;
   result << p * x, p * y, s * y, s * yaw, s * yaw, p * yaw;
-  return result.array() + min_variance;
+  return result.array() + kMinVariance;
 }
 
-OdometryNoise fitted_to(const std::vector<OdometryCheck>& checks) {
+OdometryNoise fitted_noise(const std::vector<TrajectorySegment>& segments) {
   OdometryNoise noise;
-  double planar = 0.0, spatial = 0.0;
-  for (const OdometryCheck& check : checks) {
+  double planar = 0.0, spatial = 0.0, count = 0.0;
+  for (const TrajectorySegment& segment : segments) {
+    if (segment.is_open()) continue;
     PoseBelief belief;
-    for (const Pose& step : check.steps) {
+    for (const Pose& step : segment.steps) {
       belief = after_step(belief, step, noise.variances(step));
     }
-    planar += mean_square_of(belief, check.T_first_last_true, in_plane);
-    spatial += mean_square_of(belief, check.T_first_last_true, out_of_plane);
+    const Pose T_start_end = segment.T_frame_start->inverse(Eigen::Isometry) * *segment.T_frame_end;
+    planar += mean_square_sigmas(belief, T_start_end, kInPlane);
+    spatial += mean_square_sigmas(belief, T_start_end, kOutOfPlane);
+    count += 1.0;
   }
-  const auto count = static_cast<double>(checks.size());
-  noise.planar = std::max(min_scale, std::sqrt(planar / count));
-  noise.spatial = std::max(min_scale, std::sqrt(spatial / count));
+  if (count == 0.0) throw std::invalid_argument("odometry noise: no segment has two known ends");
+  noise.planar_scale = std::max(kMinScale, std::sqrt(planar / count));
+  noise.spatial_scale = std::max(kMinScale, std::sqrt(spatial / count));
   return noise;
+}
+
+void set_step_variances(const OdometryNoise& noise, TrajectorySegment& segment) {
+  segment.step_variances.clear();
+  for (const Pose& step : segment.steps) segment.step_variances.push_back(noise.variances(step));
 }
 
 }  // namespace ribbon_mapper

@@ -10,93 +10,106 @@ namespace {
 
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
-using Planes = std::vector<SightedPlane>;
 
-// A plane is where it was by no better than this [m, rad]: so the system is regular.
-constexpr double plane_sigma = 1.0;
+// A weak prior on landmarks [m, rad], so that the system is regular where nothing was matched.
+constexpr double kLandmarkSigma = 1.0;
 
-/// Of all planes, three numbers each.
-struct PlaneSystem {
-  explicit PlaneSystem(std::size_t planes)
-      : information(MatrixXd::Identity(3 * planes, 3 * planes) / (plane_sigma * plane_sigma)),
-        gradient(VectorXd::Zero(3 * planes)) {}
-  MatrixXd information;
-  VectorXd gradient;
+/// The landmarks that matches refer to, and how residuals are weighted.
+struct Landmarks {
+  const std::vector<PlaneLandmark>& all;
+  double robust_sigmas;
 };
 
-/// One sighting, weighted.
+/// The normal equations of all landmarks, three unknowns each.
+struct LandmarkSystem {
+  explicit LandmarkSystem(std::size_t landmarks)
+      : information(MatrixXd::Identity(3 * landmarks, 3 * landmarks) /
+                    (kLandmarkSigma * kLandmarkSigma)),
+        vector(VectorXd::Zero(3 * landmarks)) {}
+  MatrixXd information;
+  VectorXd vector;
+};
+
+/// The linearised equations of one match, weighted.
 struct Equation {
-  Equation(const PlaneSighting& sighting, const Planes& planes, const Pose& T_model_base)
-      : residual(residual_of(*sighting.sight, planes[sighting.plane], T_model_base)),
-        pose(by_pose(*sighting.sight, planes[sighting.plane].normal, T_model_base)),
-        plane(by_plane(*sighting.sight, planes[sighting.plane], T_model_base)),
-        weights(sighting.sight->variances.cwiseInverse()) {
-    weights *= robust_weight(residual.cwiseAbs2().dot(weights));
+  Equation(const LandmarkMatch& match, const Landmarks& landmarks, const Pose& T_model_base)
+      : residual(residual_of(*match.observation, landmarks.all[match.landmark], T_model_base)),
+        by_pose(derivative_by_pose(*match.observation, landmarks.all[match.landmark].normal,
+                                   T_model_base)),
+        by_landmark(derivative_by_landmark(*match.observation, landmarks.all[match.landmark],
+                                           T_model_base)),
+        weights(match.observation->variances.cwiseInverse()) {
+    weights *= robust_weight(residual.cwiseAbs2().dot(weights), landmarks.robust_sigmas);
   }
   Eigen::Vector2d residual;
-  Eigen::Matrix<double, 2, 6> pose;
-  Eigen::Matrix<double, 2, 3> plane;
+  Eigen::Matrix<double, 2, 6> by_pose;
+  Eigen::Matrix<double, 2, 3> by_landmark;
   Eigen::Vector2d weights;
 };
 
-void add_to_planes(const FixedLine& line, const Planes& planes, PlaneSystem& system) {
-  for (const PlaneSighting& sighting : line.sightings) {
-    const Equation e(sighting, planes, line.T_model_base);
-    const auto at = 3 * sighting.plane;
+void add_line(const ObservingLine& line, const Landmarks& landmarks, LandmarkSystem& system) {
+  for (const LandmarkMatch& match : line.matches) {
+    const Equation e(match, landmarks, line.T_model_base);
+    const auto at = 3 * match.landmark;
     system.information.block<3, 3>(at, at) +=
-        e.plane.transpose() * e.weights.asDiagonal() * e.plane;
-    system.gradient.segment<3>(at) -= e.plane.transpose() * e.weights.asDiagonal() * e.residual;
+        e.by_landmark.transpose() * e.weights.asDiagonal() * e.by_landmark;
+    system.vector.segment<3>(at) -= e.by_landmark.transpose() * e.weights.asDiagonal() * e.residual;
   }
 }
 
-/// Normal equations of a chain: block-tridiagonal in the poses of its lines, bordered by the planes
-/// that these see.
-class ChainSystem {
+/// The normal equations of a segment: block-tridiagonal in the poses of its lines, bordered by the
+/// landmarks that these observe.
+class SegmentSystem {
  public:
-  ChainSystem(const LineChain& chain, const Planes& planes);
+  SegmentSystem(const ObservingSegment& observing, const Landmarks& landmarks);
 
-  /// Eliminates the poses and adds what remains to the planes'.
-  void reduce_to(PlaneSystem& system);
+  /// Eliminates the poses and adds what remains to the landmarks' system.
+  void reduce_to(LandmarkSystem& system);
 
-  /// Errors of the poses, given those of all planes.
-  std::vector<Vector6> solve(const VectorXd& plane_errors) const;
+  /// Returns the errors of the poses, given those of all landmarks.
+  std::vector<Vector6> solve(const VectorXd& landmark_errors) const;
 
  private:
-  void add_step(const LineChain& chain, std::size_t step);
-  void add_sightings(const FixedLine& line, const Planes& planes, std::size_t row);
-  VectorXd local(const VectorXd& of_all) const;
-  Eigen::Index column_of(std::uint32_t plane) const {
-    return 3 * (std::lower_bound(seen_.begin(), seen_.end(), plane) - seen_.begin());
+  void add_step(const ObservingSegment& observing, std::size_t step);
+  void add_matches(const ObservingLine& line, const Landmarks& landmarks, std::size_t row);
+  VectorXd observed_part(const VectorXd& landmark_errors) const;
+  Eigen::Index column_of(std::uint32_t landmark) const {
+    return 3 * (std::lower_bound(observed_.begin(), observed_.end(), landmark) - observed_.begin());
   }
 
-  std::vector<std::uint32_t> seen_;  // planes, sorted
-  std::vector<Matrix6> diagonal_;    // by line; once reduced: of the eliminated system
-  std::vector<Matrix6> upper_;       // from each line to the next
-  std::vector<MatrixXd> border_;     // by line: 3 columns for each plane, then the right hand side
+  std::vector<std::uint32_t> observed_;  // landmarks, sorted
+  std::vector<Matrix6> diagonal_;        // by line; of the eliminated system once reduced
+  std::vector<Matrix6> upper_;           // from each line to the next
+  std::vector<MatrixXd> border_;  // by line: 3 columns per landmark, then the right-hand side
   std::vector<Eigen::LDLT<Matrix6>> factors_;
 };
 
-ChainSystem::ChainSystem(const LineChain& chain, const Planes& planes)
-    : diagonal_(chain.lines.size(), Matrix6::Zero()), upper_(chain.lines.size(), Matrix6::Zero()) {
-  for (const FixedLine& line : chain.lines) {
-    for (const PlaneSighting& sighting : line.sightings) seen_.push_back(sighting.plane);
+SegmentSystem::SegmentSystem(const ObservingSegment& observing, const Landmarks& landmarks)
+    : diagonal_(observing.lines.size(), Matrix6::Zero()),
+      upper_(observing.lines.size(), Matrix6::Zero()) {
+  for (const ObservingLine& line : observing.lines) {
+    for (const LandmarkMatch& match : line.matches) observed_.push_back(match.landmark);
   }
-  std::sort(seen_.begin(), seen_.end());
-  seen_.erase(std::unique(seen_.begin(), seen_.end()), seen_.end());
-  const auto columns = static_cast<Eigen::Index>(3 * seen_.size() + 1);
-  border_.assign(chain.lines.size(), MatrixXd::Zero(6, columns));
-  for (std::size_t i = 0; i < chain.steps.size(); ++i) add_step(chain, i);
-  for (std::size_t i = 0; i < chain.lines.size(); ++i) add_sightings(chain.lines[i], planes, i);
+  std::sort(observed_.begin(), observed_.end());
+  observed_.erase(std::unique(observed_.begin(), observed_.end()), observed_.end());
+  const auto columns = static_cast<Eigen::Index>(3 * observed_.size() + 1);
+  border_.assign(observing.lines.size(), MatrixXd::Zero(6, columns));
+  for (std::size_t i = 0; i < observing.segment.steps.size(); ++i) add_step(observing, i);
+  for (std::size_t i = 0; i < observing.lines.size(); ++i) {
+    add_matches(observing.lines[i], landmarks, i);
+  }
 }
 
-void ChainSystem::add_step(const LineChain& chain, std::size_t step) {
-  const bool is_first = step == 0, is_last = step == chain.lines.size();
-  if ((is_first && !chain.first_end) || (is_last && !chain.last_end)) return;
-  const Pose& from = is_first ? *chain.first_end : chain.lines[step - 1].T_model_base;
-  const Pose& to = is_last ? *chain.last_end : chain.lines[step].T_model_base;
-  const Vector6 residual = error_between(from * chain.steps[step], to);
-  const Matrix6 information = in_world(chain.variances[step].cwiseInverse(), from.linear());
-  const Matrix6 by_from = -carry(from.linear() * chain.steps[step].translation());
+void SegmentSystem::add_step(const ObservingSegment& observing, std::size_t step) {
+  const TrajectorySegment& segment = observing.segment;
+  const bool is_first = step == 0, is_last = step == observing.lines.size();
+  if ((is_first && !segment.T_frame_start) || (is_last && !segment.T_frame_end)) return;
+  const Pose& from = is_first ? *segment.T_frame_start : observing.lines[step - 1].T_model_base;
+  const Pose& to = is_last ? *segment.T_frame_end : observing.lines[step].T_model_base;
+  const Vector6 residual = error_between(from * segment.steps[step], to);
+  const Matrix6 information =
+      in_model_axes(segment.step_variances[step].cwiseInverse(), from.linear());
+  const Matrix6 by_from = -transport(from.linear() * segment.steps[step].translation());
   if (!is_first) {
     diagonal_[step - 1] += by_from.transpose() * information * by_from;
     border_[step - 1].rightCols<1>() -= by_from.transpose() * information * residual;
@@ -108,47 +121,48 @@ void ChainSystem::add_step(const LineChain& chain, std::size_t step) {
   if (!is_first && !is_last) upper_[step - 1] = by_from.transpose() * information;
 }
 
-void ChainSystem::add_sightings(const FixedLine& line, const Planes& planes, std::size_t row) {
-  for (const PlaneSighting& sighting : line.sightings) {
-    const Equation e(sighting, planes, line.T_model_base);
-    const Eigen::Matrix<double, 6, 2> weighted = e.pose.transpose() * e.weights.asDiagonal();
-    diagonal_[row] += weighted * e.pose;
-    border_[row].middleCols<3>(column_of(sighting.plane)) += weighted * e.plane;
+void SegmentSystem::add_matches(const ObservingLine& line, const Landmarks& landmarks,
+                                std::size_t row) {
+  for (const LandmarkMatch& match : line.matches) {
+    const Equation e(match, landmarks, line.T_model_base);
+    const Eigen::Matrix<double, 6, 2> weighted = e.by_pose.transpose() * e.weights.asDiagonal();
+    diagonal_[row] += weighted * e.by_pose;
+    border_[row].middleCols<3>(column_of(match.landmark)) += weighted * e.by_landmark;
     border_[row].rightCols<1>() -= weighted * e.residual;
   }
 }
 
-void ChainSystem::reduce_to(PlaneSystem& system) {
-  const auto seen = static_cast<Eigen::Index>(3 * seen_.size());
-  MatrixXd taken = MatrixXd::Zero(seen, seen + 1);
+void SegmentSystem::reduce_to(LandmarkSystem& system) {
+  const auto columns = static_cast<Eigen::Index>(3 * observed_.size());
+  MatrixXd complement = MatrixXd::Zero(columns, columns + 1);
   for (std::size_t i = 0; i < diagonal_.size(); ++i) {
     if (i > 0) {
-      const Matrix6 carried = factors_[i - 1].solve(upper_[i - 1]).transpose();
-      diagonal_[i] -= carried * upper_[i - 1];
-      border_[i] -= carried * border_[i - 1];
+      const Matrix6 eliminated = factors_[i - 1].solve(upper_[i - 1]).transpose();
+      diagonal_[i] -= eliminated * upper_[i - 1];
+      border_[i] -= eliminated * border_[i - 1];
     }
     factors_.emplace_back(diagonal_[i]);
-    taken += border_[i].leftCols(seen).transpose() * factors_[i].solve(border_[i]);
+    complement += border_[i].leftCols(columns).transpose() * factors_[i].solve(border_[i]);
   }
-  for (Eigen::Index a = 0; a < seen; ++a) {
-    const Eigen::Index row = 3 * seen_[a / 3] + a % 3;
-    system.gradient[row] -= taken(a, seen);
-    for (Eigen::Index b = 0; b < seen; ++b) {
-      system.information(row, 3 * seen_[b / 3] + b % 3) -= taken(a, b);
+  for (Eigen::Index a = 0; a < columns; ++a) {
+    const Eigen::Index row = 3 * observed_[a / 3] + a % 3;
+    system.vector[row] -= complement(a, columns);
+    for (Eigen::Index b = 0; b < columns; ++b) {
+      system.information(row, 3 * observed_[b / 3] + b % 3) -= complement(a, b);
     }
   }
 }
 
-VectorXd ChainSystem::local(const VectorXd& of_all) const {
-  VectorXd result(3 * seen_.size());
-  for (std::size_t i = 0; i < seen_.size(); ++i) {
-    result.segment<3>(3 * i) = of_all.segment<3>(3 * seen_[i]);
+VectorXd SegmentSystem::observed_part(const VectorXd& landmark_errors) const {
+  VectorXd result(3 * observed_.size());
+  for (std::size_t i = 0; i < observed_.size(); ++i) {
+    result.segment<3>(3 * i) = landmark_errors.segment<3>(3 * observed_[i]);
   }
   return result;
 }
 
-std::vector<Vector6> ChainSystem::solve(const VectorXd& plane_errors) const {
-  const VectorXd errors = local(plane_errors);
+std::vector<Vector6> SegmentSystem::solve(const VectorXd& landmark_errors) const {
+  const VectorXd errors = observed_part(landmark_errors);
   std::vector<Vector6> result(diagonal_.size());
   for (std::size_t i = diagonal_.size(); i-- > 0;) {
     Vector6 rest = border_[i].rightCols<1>() - border_[i].leftCols(errors.size()) * errors;
@@ -160,25 +174,27 @@ std::vector<Vector6> ChainSystem::solve(const VectorXd& plane_errors) const {
 
 }  // namespace
 
-void adjust(const std::vector<FixedLine>& fixed, std::vector<LineChain>& chains, Planes& planes) {
-  PlaneSystem system(planes.size());
-  std::vector<ChainSystem> chain_systems;
-  for (const FixedLine& line : fixed) add_to_planes(line, planes, system);
-  for (const LineChain& chain : chains) {
-    for (const FixedLine& line : chain.lines) add_to_planes(line, planes, system);
-    chain_systems.emplace_back(chain, planes);
-    chain_systems.back().reduce_to(system);
+void adjust(const std::vector<ObservingLine>& known_lines, std::vector<ObservingSegment>& segments,
+            std::vector<PlaneLandmark>& landmarks, double robust_sigmas) {
+  const Landmarks weighted{landmarks, robust_sigmas};
+  LandmarkSystem system(landmarks.size());
+  std::vector<SegmentSystem> segment_systems;
+  for (const ObservingLine& line : known_lines) add_line(line, weighted, system);
+  for (const ObservingSegment& segment : segments) {
+    for (const ObservingLine& line : segment.lines) add_line(line, weighted, system);
+    segment_systems.emplace_back(segment, weighted);
+    segment_systems.back().reduce_to(system);
   }
-  const VectorXd errors = system.information.ldlt().solve(system.gradient);
-  for (std::size_t i = 0; i < chains.size(); ++i) {
-    const std::vector<Vector6> pose_errors = chain_systems[i].solve(errors);
+  const VectorXd errors = system.information.ldlt().solve(system.vector);
+  for (std::size_t i = 0; i < segments.size(); ++i) {
+    const std::vector<Vector6> pose_errors = segment_systems[i].solve(errors);
     for (std::size_t k = 0; k < pose_errors.size(); ++k) {
-      Pose& pose = chains[i].lines[k].T_model_base;
+      Pose& pose = segments[i].lines[k].T_model_base;
       pose = moved(pose, pose_errors[k]);
     }
   }
-  for (std::size_t i = 0; i < planes.size(); ++i) {
-    planes[i] = moved(planes[i], errors.segment<3>(static_cast<Eigen::Index>(3 * i)));
+  for (std::size_t i = 0; i < landmarks.size(); ++i) {
+    landmarks[i] = moved(landmarks[i], errors.segment<3>(static_cast<Eigen::Index>(3 * i)));
   }
 }
 

@@ -2,42 +2,41 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <Eigen/Core>
 #include <cstdint>
-#include <optional>
 #include <vector>
 
 #include "modeler/registration/plane_observation.hpp"
 #include "modeler/registration/pose_belief.hpp"
+#include "modeler/registration/trajectory_segment.hpp"
 
 namespace ribbon_mapper {
 
-/// A ribbon on the plane that it was seen on.
-struct PlaneSighting {
-  const Sight* sight = nullptr;
-  std::uint32_t plane = 0;
+/// An observation and the landmark that it was matched to.
+struct LandmarkMatch {
+  const PlaneObservation* observation = nullptr;  ///< not owned
+  std::uint32_t landmark = 0;                     ///< index
 };
 
-/// A line whose pose is known, and what it sees.
-struct FixedLine {
-  Pose T_model_base = Pose::Identity();
-  std::vector<PlaneSighting> sightings;
+/// The pose of a line and what was matched from there.
+struct ObservingLine {
+  Pose T_model_base = Pose::Identity();  ///< estimated so far
+  std::vector<LandmarkMatch> matches;    ///< of the line's ribbons
 };
 
-/// Successive lines whose poses are not known, chained by odometry to each other and to the known
-/// poses at the ends (at least one).
-struct LineChain {
-  std::optional<Pose> first_end, last_end;
-  std::vector<Pose> steps;         ///< first end to first line, .., last line to last end
-  std::vector<Vector6> variances;  ///< of the steps, in the frame of the base
-  std::vector<FixedLine> lines;    ///< poses as they are believed to be so far
+/// A segment in the model frame with its lines.
+struct ObservingSegment {
+  TrajectorySegment segment;         ///< with step variances and at least one known end
+  std::vector<ObservingLine> lines;  ///< one for each line of the segment
 };
 
-/// Planes and the poses of the lines that see them, together: one step of Gauss and Newton on
-/// distances and tilts of all ribbons and on all steps of the odometry. (In turn, planes and poses
-/// would hardly move: each line keeps to the planes, and these to their lines.) The poses are
-/// eliminated chain by chain, what remains is a dense system of three numbers a plane.
-void adjust(const std::vector<FixedLine>& fixed, std::vector<LineChain>& chains,
-            std::vector<SightedPlane>& planes);
+/// Adjusts landmarks and poses of segments together by one Gauss-Newton step. It minimises the
+/// distances and tilts of all matched ribbons and the errors of all odometry steps.
+///
+/// Estimated in turn, both would hardly move: lines hold on to the landmarks, and these to their
+/// lines. Poses are eliminated segment by segment (Schur complement), which leaves a dense system
+/// of three unknowns per landmark. The poses of `known_lines` are taken as exact. Residuals have
+/// half their weight at `robust_sigmas`, see RegistrationConfig.
+void adjust(const std::vector<ObservingLine>& known_lines, std::vector<ObservingSegment>& segments,
+            std::vector<PlaneLandmark>& landmarks, double robust_sigmas);
 
 }  // namespace ribbon_mapper

@@ -7,144 +7,149 @@
 #include <cmath>
 #include <map>
 
+#include "modeler/association/plane_map.hpp"
+#include "modeler/geometry/angles.hpp"
 #include "modeler/geometry/square.hpp"
 
 namespace ribbon_mapper {
 namespace {
 
-constexpr double degree = M_PI / 180.0;
-
-// Innovations of two numbers further out than this happen once in 300 times (chi square).
-constexpr double gate_square_sigmas = 11.8;
-// Planes are entered for one side only: their ribbons' directions are as uncertain as their poses.
-constexpr int any_side = 0;
-
-// Of two planes the likelier one must be e^2 times as likely, unless they lie within the noise.
-constexpr double ambiguous_square_sigmas = 4.0;
+// Landmarks are listed for one side of the index only: the directions of their ribbons are as
+// uncertain as the poses.
+constexpr int kAnySide = 0;
 
 double tilt(const Eigen::Vector3d& normal, const Eigen::Vector3d& direction) {
   return std::asin(std::min(1.0, std::abs(normal.dot(direction))));
 }
 
-}  // namespace
-
-ReferencePlanes::ReferencePlanes(const Observations& observations,
-                                 const std::vector<char>& is_placed,
-                                 const std::vector<std::int32_t>& witness,
-                                 const PlaneMapConfig& config)
-    : angle_gate_rad_(config.slam.angle_deg * degree), index_(config.bridged_gap_m) {
-  PlaneMap map(config, config.corrected);
+std::vector<Hypothesis> hypotheses_of(const PosedObservations& observations,
+                                      const std::vector<LineState>& lines,
+                                      const SharedSettings& shared) {
+  PlaneMap map(shared.bridged_gap_m, shared.gates);
   for (std::uint32_t i = 0; i < observations.ribbon_count(); ++i) {
     const PosedRibbon ribbon = observations.ribbon(i);
-    if (is_placed[ribbon.ribbon->pose]) map.add(ribbon, i);
+    if (lines[ribbon.ribbon->pose].is_localised) map.add(ribbon, i);
   }
-  for (const Hypothesis& hypothesis : map.merged_hypotheses()) {
-    const auto min_ribbons = static_cast<std::size_t>(config.confirmed_ribbons);
-    if (!is_witnessed(hypothesis, observations, witness, min_ribbons)) continue;
-    enter(static_cast<std::uint32_t>(planes_.size()), hypothesis, observations);
-    const Eigen::Vector3d axis_u = hypothesis.fit().axes.col(2);
-    planes_.push_back(
-        {hypothesis.normal(), axis_u, hypothesis.normal().cross(axis_u), hypothesis.fit().mean});
-  }
+  return map.merged_hypotheses();
 }
 
-bool ReferencePlanes::is_witnessed(const Hypothesis& hypothesis, const Observations& observations,
-                                   const std::vector<std::int32_t>& witness,
-                                   std::size_t min_ribbons) {
-  std::map<std::int32_t, std::size_t> ribbons;
+/// The ribbons of a hypothesis without those of the segment that contributes the most.
+std::size_t independent_ribbons(const Hypothesis& hypothesis, const PosedObservations& observations,
+                                const std::vector<LineState>& lines) {
+  std::map<std::uint32_t, std::size_t> ribbons_by_segment;
+  std::size_t largest = 0;
   for (const Member& member : hypothesis.members()) {
-    ++ribbons[witness[observations.ribbon(member.ribbon).ribbon->pose]];
+    const auto& segment = lines[observations.ribbon(member.ribbon).ribbon->pose].localised_by;
+    if (segment) largest = std::max(largest, ++ribbons_by_segment[*segment]);
   }
-  std::size_t most = 0;
-  for (const auto& [of, count] : ribbons) {
-    if (of != kSure) most = std::max(most, count);
-  }
-  return hypothesis.members().size() >= most + min_ribbons;
+  return hypothesis.members().size() - largest;
 }
 
-void ReferencePlanes::enter(std::uint32_t slot, const Hypothesis& hypothesis,
-                            const Observations& observations) {
-  index_.list(slot, 1 << any_side);
+}  // namespace
+
+PlaneLandmarks::PlaneLandmarks(const PosedObservations& observations,
+                               const std::vector<LineState>& lines,
+                               const RegistrationConfig& config, const SharedSettings& shared)
+    : config_(config), index_(shared.bridged_gap_m) {
+  const auto min_ribbons = static_cast<std::size_t>(config.min_ribbons);
+  for (const Hypothesis& hypothesis : hypotheses_of(observations, lines, shared)) {
+    if (independent_ribbons(hypothesis, observations, lines) < min_ribbons) continue;
+    add(hypothesis, observations);
+  }
+}
+
+void PlaneLandmarks::add(const Hypothesis& hypothesis, const PosedObservations& observations) {
+  const auto slot = static_cast<std::uint32_t>(landmarks_.size());
+  index_.list(slot, 1 << kAnySide);
   for (const Member& member : hypothesis.members()) {
     index_.voxels_of(observations.ribbon(member.ribbon), voxels_);
     index_.enter(slot, voxels_);
   }
+  const Eigen::Vector3d axis_u = hypothesis.fit().axes.col(2);
+  landmarks_.push_back(
+      {hypothesis.normal(), axis_u, hypothesis.normal().cross(axis_u), hypothesis.fit().mean});
 }
 
-void ReferencePlanes::find_near(const PosedRibbon& ribbon, Sight& sight) {
+std::vector<std::uint32_t> PlaneLandmarks::landmarks_near(const PosedRibbon& ribbon) {
+  std::vector<std::uint32_t> landmarks;
   index_.voxels_of(ribbon, voxels_);
-  const auto all = [](std::uint32_t) { return true; };
-  index_.near(voxels_, any_side, all, sight.planes);
+  index_.near(
+      voxels_, kAnySide, [](std::uint32_t) { return true; }, landmarks);
+  return landmarks;
 }
 
-bool ReferencePlanes::fits_across(const Sight& sight, const Eigen::Vector3d& normal,
-                                  const PoseBelief& belief) const {
+bool PlaneLandmarks::fits_across(const PlaneObservation& observation, const Eigen::Vector3d& normal,
+                                 const PoseBelief& belief) const {
   const Pose& T = belief.T_model_base;
-  if (normal.dot(T.linear() * sight.normal) < min_cosine_of_side) return false;
-  const Eigen::Vector3d across = T.linear() * sight.across;
+  if (normal.dot(T.linear() * observation.normal) < kMinCosineOfSide) return false;
+  const Eigen::Vector3d across = T.linear() * observation.across;
   const Eigen::Vector3d turn = across.cross(normal);
   const double variance = turn.dot(belief.covariance.bottomRightCorner<3, 3>() * turn);
   const double sigma = std::sqrt(std::max(0.0, variance));
-  const double gate = angle_gate_rad_ + 3.0 * degree + 2.0 * (sigma + sight.sigma_across_rad);
+  const double gate =
+      config_.max_tilt_across_deg * kDegree + 2.0 * (sigma + observation.sigma_across_rad);
   return tilt(normal, across) < gate;
 }
 
-std::optional<ReferencePlanes::Match> ReferencePlanes::match_of(const Sight& sight,
-                                                                const PoseBelief& belief) const {
+std::optional<PlaneLandmarks::Match> PlaneLandmarks::match_of(const PlaneObservation& observation,
+                                                              const PoseBelief& belief) const {
   std::optional<Match> best, second;
   const Pose& T = belief.T_model_base;
-  for (const std::uint32_t candidate : sight.planes) {
-    const SightedPlane& plane = planes_[candidate];
-    if (!fits_across(sight, plane.normal, belief)) continue;
-    const Eigen::Vector2d residual = residual_of(sight, plane, T);
-    const Eigen::Matrix<double, 2, 6> derivative = by_pose(sight, plane.normal, T);
+  for (const std::uint32_t candidate : observation.candidates) {
+    const PlaneLandmark& landmark = landmarks_[candidate];
+    if (!fits_across(observation, landmark.normal, belief)) continue;
+    const Eigen::Vector2d residual = residual_of(observation, landmark, T);
+    const Eigen::Matrix<double, 2, 6> derivative =
+        derivative_by_pose(observation, landmark.normal, T);
     Eigen::Matrix2d covariance = derivative * belief.covariance * derivative.transpose();
-    covariance.diagonal() += sight.variances;
+    covariance.diagonal() += observation.variances;
     const double square_sigmas = residual.dot(covariance.inverse() * residual);
-    if (square_sigmas > gate_square_sigmas) continue;
-    Match match{candidate, square_sigmas, residual};
+    if (square_sigmas > config_.max_chi_square) continue;
+    const Match match{candidate, square_sigmas, residual};
     if (!best || square_sigmas < best->square_sigmas)
-      std::swap(best, second), best = match;
+      second = best, best = match;
     else if (!second || square_sigmas < second->square_sigmas)
       second = match;
   }
+  // Two landmarks within two sigmas of the ranges are the same to the line's pose.
   const bool is_ambiguous =
-      second && second->square_sigmas < best->square_sigmas + ambiguous_square_sigmas &&
-      square(second->residual[0] - best->residual[0]) > 4.0 * sight.variances[0];
+      second && second->square_sigmas < best->square_sigmas + config_.min_chi_square_lead &&
+      square(second->residual[0] - best->residual[0]) > 4.0 * observation.variances[0];
   return is_ambiguous ? std::nullopt : best;
 }
 
-std::vector<PlaneSighting> ReferencePlanes::sightings(const std::vector<Sight>& sights,
-                                                      const PoseBelief& belief) const {
-  std::vector<PlaneSighting> result;
-  for (const Sight& sight : sights) {
-    if (const auto match = match_of(sight, belief)) result.push_back({&sight, match->plane});
+std::vector<LandmarkMatch> PlaneLandmarks::matches(
+    const std::vector<PlaneObservation>& observations, const PoseBelief& belief) const {
+  std::vector<LandmarkMatch> result;
+  for (const PlaneObservation& observation : observations) {
+    if (const auto match = match_of(observation, belief)) {
+      result.push_back({&observation, match->landmark});
+    }
   }
   return result;
 }
 
-Observation ReferencePlanes::linearised(const std::vector<Sight>& sights,
-                                        const PoseBelief& belief) const {
-  Observation result;
+PoseInformation PlaneLandmarks::linearised(const std::vector<PlaneObservation>& observations,
+                                           const PoseBelief& belief) const {
+  PoseInformation result;
   result.T_model_base = belief.T_model_base;
-  for (const Sight& sight : sights) {
-    const auto match = match_of(sight, belief);
+  for (const PlaneObservation& observation : observations) {
+    const auto match = match_of(observation, belief);
     if (!match) continue;
-    const Eigen::Vector2d weights =
-        robust_weight(match->square_sigmas) * sight.variances.cwiseInverse();
+    const Eigen::Vector2d weights = robust_weight(match->square_sigmas, config_.robust_sigmas) *
+                                    observation.variances.cwiseInverse();
     const Eigen::Matrix<double, 2, 6> derivative =
-        by_pose(sight, planes_[match->plane].normal, belief.T_model_base);
-    result.information += derivative.transpose() * weights.asDiagonal() * derivative;
-    result.gradient -= derivative.transpose() * weights.asDiagonal() * match->residual;
+        derivative_by_pose(observation, landmarks_[match->landmark].normal, belief.T_model_base);
+    result.matrix += derivative.transpose() * weights.asDiagonal() * derivative;
+    result.vector -= derivative.transpose() * weights.asDiagonal() * match->residual;
   }
   return result;
 }
 
-Observation ReferencePlanes::observe(const std::vector<Sight>& sights,
-                                     const PoseBelief& without_them) const {
-  // Once within the wide gates of where the line may be, and again from where that has put it.
-  const Observation first = linearised(sights, without_them);
-  return linearised(sights, updated(without_them, first));
+PoseInformation PlaneLandmarks::measure(const std::vector<PlaneObservation>& observations,
+                                        const PoseBelief& without_them) const {
+  const PoseInformation first = linearised(observations, without_them);
+  return linearised(observations, updated(without_them, first));
 }
 
 }  // namespace ribbon_mapper

@@ -6,52 +6,60 @@
 #include <optional>
 #include <vector>
 
-#include "modeler/association/plane_map.hpp"
-#include "modeler/observations/observations.hpp"
+#include "modeler/association/hypothesis.hpp"
+#include "modeler/association/voxel_index.hpp"
+#include "modeler/observations/posed_observations.hpp"
+#include "modeler/registration/line_state.hpp"
 #include "modeler/registration/plane_adjustment.hpp"
 #include "modeler/registration/plane_observation.hpp"
 #include "modeler/registration/pose_belief.hpp"
+#include "modeler/registration/registration_config.hpp"
 
 namespace ribbon_mapper {
 
-/// Planes that ribbons are registered against.
-class ReferencePlanes {
+/// The planes that ribbons are registered to, and the matching of ribbons with them.
+class PlaneLandmarks {
  public:
-  /// Of the ribbons whose line `is_placed`, the confirmed planes, not counting those ribbons that
-  /// one bridge has given: what its lines alone have seen may be that bridge's error.
-  /// `witness`: of each line kSure, or the number of its bridge.
-  ReferencePlanes(const Observations& observations, const std::vector<char>& is_placed,
-                  const std::vector<std::int32_t>& witness, const PlaneMapConfig& config);
-  static constexpr std::int32_t kSure = -1;
+  /// Builds planes from the ribbons of localised lines. A plane becomes a landmark if it has
+  /// independent support: min_ribbons ribbons more than the one segment contributes that
+  /// contributes the most. What a single segment has seen may be that segment's error.
+  /// `lines` holds the state of each pose of `observations`.
+  PlaneLandmarks(const PosedObservations& observations, const std::vector<LineState>& lines,
+                 const RegistrationConfig& config, const SharedSettings& shared);
 
-  /// Sets the planes that are near a ribbon.
-  void find_near(const PosedRibbon& ribbon, Sight& sight);
+  /// Returns the indices of the landmarks that a ribbon nearly touches.
+  std::vector<std::uint32_t> landmarks_near(const PosedRibbon& ribbon);
 
-  /// What a line's ribbons say about its pose, given where it is believed to be without them.
-  Observation observe(const std::vector<Sight>& sights, const PoseBelief& without_them) const;
+  /// Measures the pose of a line by matching its ribbons. `without_them` is the belief of that
+  /// pose without these ribbons. Ribbons are matched to their candidates, and a second time from
+  /// where the first match places the line.
+  PoseInformation measure(const std::vector<PlaneObservation>& observations,
+                          const PoseBelief& without_them) const;
 
-  /// The planes that a line's ribbons are seen on from there.
-  std::vector<PlaneSighting> sightings(const std::vector<Sight>& sights,
-                                       const PoseBelief& belief) const;
+  /// Returns the matches of a line's ribbons, seen from the believed pose. Ribbons without a match
+  /// or with an ambiguous one are left out. The matches point into `observations`.
+  std::vector<LandmarkMatch> matches(const std::vector<PlaneObservation>& observations,
+                                     const PoseBelief& belief) const;
 
-  const std::vector<SightedPlane>& planes() const { return planes_; }
+  /// Returns all landmarks by index.
+  const std::vector<PlaneLandmark>& all() const { return landmarks_; }
 
  private:
   struct Match {
-    std::uint32_t plane;
-    double square_sigmas;  ///< of the innovation
+    std::uint32_t landmark;
+    double square_sigmas;  // of the innovation
     Eigen::Vector2d residual;
   };
-  static bool is_witnessed(const Hypothesis& hypothesis, const Observations& observations,
-                           const std::vector<std::int32_t>& witness, std::size_t min_ribbons);
-  void enter(std::uint32_t slot, const Hypothesis& hypothesis, const Observations& observations);
-  bool fits_across(const Sight& sight, const Eigen::Vector3d& normal,
+  void add(const Hypothesis& hypothesis, const PosedObservations& observations);
+  bool fits_across(const PlaneObservation& observation, const Eigen::Vector3d& normal,
                    const PoseBelief& belief) const;
-  std::optional<Match> match_of(const Sight& sight, const PoseBelief& belief) const;
-  Observation linearised(const std::vector<Sight>& sights, const PoseBelief& belief) const;
+  std::optional<Match> match_of(const PlaneObservation& observation,
+                                const PoseBelief& belief) const;
+  PoseInformation linearised(const std::vector<PlaneObservation>& observations,
+                             const PoseBelief& belief) const;
 
-  double angle_gate_rad_;
-  std::vector<SightedPlane> planes_;
+  RegistrationConfig config_;
+  std::vector<PlaneLandmark> landmarks_;
   VoxelIndex index_;
   std::vector<std::uint32_t> voxels_;  // scratch
 };

@@ -2,13 +2,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "modeler/registration/plane_observation.hpp"
 
-#include "modeler/geometry/square.hpp"
 #include "modeler/observations/posed_ribbon.hpp"
 
 namespace ribbon_mapper {
 namespace {
 
-/// Variance along the normal of a point that is moved by a motion of the base, in its frame.
+/// The variance, along the normal, of a point that a motion of the base carries. All are in the
+/// frame of the base.
 double variance_along(const Eigen::Vector3d& normal, const Eigen::Vector3d& point,
                       const Vector6& variances) {
   return normal.cwiseAbs2().dot(variances.head<3>()) +
@@ -17,49 +17,54 @@ double variance_along(const Eigen::Vector3d& normal, const Eigen::Vector3d& poin
 
 }  // namespace
 
-Sight::Sight(const Ribbon& ribbon, double range_sigma_m, const Vector6& motion_variances)
+PlaneObservation::PlaneObservation(const Ribbon& ribbon, const RangeNoise& noise,
+                                   const Vector6& motion_variances)
     : sigma_across_rad(ribbon.sigma_across_rad) {
   const PosedRibbon here(ribbon, Pose::Identity());
   centroid = here.centroid, normal = here.normal, along = here.along, across = here.across;
   const double range_variance =
-      square(range_sigma_m) * (1.0 / here.moments.weight() + square(shared_part_of_sigma));
+      square(noise.sigma_m) * (1.0 / here.moments.weight() + square(noise.shared_ratio));
   variances[0] = range_variance + variance_along(normal, centroid, motion_variances);
-  // Of a straight line through points spread evenly over its length.
+  // The slope of a straight line through points spread evenly over its length.
   variances[1] = 12.0 * range_variance / square(ribbon.length_m) +
                  along.cross(normal).cwiseAbs2().dot(motion_variances.tail<3>());
 }
 
-Eigen::Vector2d residual_of(const Sight& sight, const SightedPlane& plane,
+Eigen::Vector2d residual_of(const PlaneObservation& observation, const PlaneLandmark& landmark,
                             const Pose& T_model_base) {
-  return {plane.normal.dot(T_model_base * sight.centroid - plane.centroid),
-          plane.normal.dot(T_model_base.linear() * sight.along)};
+  return {landmark.normal.dot(T_model_base * observation.centroid - landmark.centroid),
+          landmark.normal.dot(T_model_base.linear() * observation.along)};
 }
 
-Eigen::Matrix<double, 2, 6> by_pose(const Sight& sight, const Eigen::Vector3d& normal,
-                                    const Pose& T_model_base) {
-  const Eigen::Vector3d lever = T_model_base.linear() * sight.centroid;
-  const Eigen::Vector3d along = T_model_base.linear() * sight.along;
+Eigen::Matrix<double, 2, 6> derivative_by_pose(const PlaneObservation& observation,
+                                               const Eigen::Vector3d& normal,
+                                               const Pose& T_model_base) {
+  const Eigen::Vector3d lever = T_model_base.linear() * observation.centroid;
+  const Eigen::Vector3d along = T_model_base.linear() * observation.along;
   Eigen::Matrix<double, 2, 6> derivative;
   derivative.row(0) << normal.transpose(), lever.cross(normal).transpose();
   derivative.row(1) << Eigen::RowVector3d::Zero(), along.cross(normal).transpose();
   return derivative;
 }
 
-Eigen::Matrix<double, 2, 3> by_plane(const Sight& sight, const SightedPlane& plane,
-                                     const Pose& T_model_base) {
-  const Eigen::Vector3d lever = T_model_base * sight.centroid - plane.centroid;
-  const Eigen::Vector3d along = T_model_base.linear() * sight.along;
+Eigen::Matrix<double, 2, 3> derivative_by_landmark(const PlaneObservation& observation,
+                                                   const PlaneLandmark& landmark,
+                                                   const Pose& T_model_base) {
+  const Eigen::Vector3d lever = T_model_base * observation.centroid - landmark.centroid;
+  const Eigen::Vector3d along = T_model_base.linear() * observation.along;
   Eigen::Matrix<double, 2, 3> derivative;
-  derivative << plane.axis_u.dot(lever), plane.axis_v.dot(lever), -1.0,  //
-      plane.axis_u.dot(along), plane.axis_v.dot(along), 0.0;
+  derivative << landmark.axis_u.dot(lever), landmark.axis_v.dot(lever), -1.0,  //
+      landmark.axis_u.dot(along), landmark.axis_v.dot(along), 0.0;
   return derivative;
 }
 
-SightedPlane moved(const SightedPlane& plane, const Eigen::Vector3d& error) {
-  SightedPlane result = plane;
-  result.centroid += error[2] * plane.normal;
-  result.normal = (plane.normal + error[0] * plane.axis_u + error[1] * plane.axis_v).normalized();
-  result.axis_u = (plane.axis_u - plane.axis_u.dot(result.normal) * result.normal).normalized();
+PlaneLandmark moved(const PlaneLandmark& landmark, const Eigen::Vector3d& error) {
+  PlaneLandmark result = landmark;
+  result.centroid += error[2] * landmark.normal;
+  result.normal =
+      (landmark.normal + error[0] * landmark.axis_u + error[1] * landmark.axis_v).normalized();
+  result.axis_u =
+      (landmark.axis_u - landmark.axis_u.dot(result.normal) * result.normal).normalized();
   result.axis_v = result.normal.cross(result.axis_u);
   return result;
 }

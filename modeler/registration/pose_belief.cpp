@@ -38,33 +38,34 @@ Vector6 error_between(const Pose& from, const Pose& to) {
   return error;
 }
 
-Matrix6 carry(const Eigen::Vector3d& lever) {
+Matrix6 transport(const Eigen::Vector3d& lever) {
   Matrix6 result = Matrix6::Identity();
   result.topRightCorner<3, 3>() = -cross_matrix(lever);
   return result;
 }
 
-Matrix6 in_world(const Vector6& on_axes, const Eigen::Matrix3d& rotation) {
+Matrix6 in_model_axes(const Vector6& on_axes_of_base, const Eigen::Matrix3d& rotation) {
   Matrix6 result = Matrix6::Zero();
-  result.topLeftCorner<3, 3>() = rotation * on_axes.head<3>().asDiagonal() * rotation.transpose();
+  result.topLeftCorner<3, 3>() =
+      rotation * on_axes_of_base.head<3>().asDiagonal() * rotation.transpose();
   result.bottomRightCorner<3, 3>() =
-      rotation * on_axes.tail<3>().asDiagonal() * rotation.transpose();
+      rotation * on_axes_of_base.tail<3>().asDiagonal() * rotation.transpose();
   return result;
 }
 
 PoseBelief after_step(const PoseBelief& from, const Pose& step, const Vector6& variances) {
   const Eigen::Matrix3d rotation = from.T_model_base.linear();
-  const Matrix6 carried = carry(rotation * step.translation());
-  return {from.T_model_base * step,
-          carried * from.covariance * carried.transpose() + in_world(variances, rotation)};
+  const Matrix6 transported = transport(rotation * step.translation());
+  return {from.T_model_base * step, transported * from.covariance * transported.transpose() +
+                                        in_model_axes(variances, rotation)};
 }
 
 PoseBelief before_step(const PoseBelief& to, const Pose& step, const Vector6& variances) {
   const Pose T_model_base = to.T_model_base * step.inverse(Eigen::Isometry);
   const Eigen::Matrix3d rotation = T_model_base.linear();
-  const Matrix6 carried = carry(-(rotation * step.translation()));
-  return {T_model_base,
-          carried * (to.covariance + in_world(variances, rotation)) * carried.transpose()};
+  const Matrix6 transported = transport(-(rotation * step.translation()));
+  return {T_model_base, transported * (to.covariance + in_model_axes(variances, rotation)) *
+                            transported.transpose()};
 }
 
 PoseBelief fused(const PoseBelief& a, const PoseBelief& b) {
@@ -73,12 +74,11 @@ PoseBelief fused(const PoseBelief& a, const PoseBelief& b) {
   return {moved(a.T_model_base, error), symmetric(a.covariance - gain * a.covariance)};
 }
 
-PoseBelief updated(const PoseBelief& belief, const Observation& observation) {
-  const Vector6 error = error_between(observation.T_model_base, belief.T_model_base);
-  const Eigen::PartialPivLU<Matrix6> lu(Matrix6::Identity() +
-                                        belief.covariance * observation.information);
-  const Vector6 solution = lu.solve(error + belief.covariance * observation.gradient);
-  return {moved(observation.T_model_base, solution), symmetric(lu.solve(belief.covariance))};
+PoseBelief updated(const PoseBelief& belief, const PoseInformation& measured) {
+  const Vector6 error = error_between(measured.T_model_base, belief.T_model_base);
+  const Eigen::PartialPivLU<Matrix6> lu(Matrix6::Identity() + belief.covariance * measured.matrix);
+  const Vector6 solution = lu.solve(error + belief.covariance * measured.vector);
+  return {moved(measured.T_model_base, solution), symmetric(lu.solve(belief.covariance))};
 }
 
 }  // namespace ribbon_mapper

@@ -8,43 +8,51 @@
 
 namespace ribbon_mapper {
 
-/// (translation [m], rotation vector [rad]).
+/// An error of a pose, or its variances: translation [m], then rotation vector [rad].
 using Vector6 = Eigen::Matrix<double, 6, 1>;
+/// A covariance, an information matrix or a Jacobian in the order of Vector6.
 using Matrix6 = Eigen::Matrix<double, 6, 6>;
 
-/// Where a base is believed to be: a Gaussian. Its error moves the base's origin and turns the base
-/// about it, both in the axes of the world.
+/// A Gaussian belief of a base's pose in the model frame. Its error moves the base's origin and
+/// rotates the base about that origin, both along the axes of the model frame.
 struct PoseBelief {
-  Pose T_model_base = Pose::Identity();
-  Matrix6 covariance = Matrix6::Zero();
+  Pose T_model_base = Pose::Identity();  ///< mean
+  Matrix6 covariance = Matrix6::Zero();  ///< of the error [m2, m rad, rad2]
 };
 
-/// What the ribbons of one line say about its pose: least squares, linearised at a pose.
-struct Observation {
-  Pose T_model_base = Pose::Identity();  ///< linearised at
-  Matrix6 information = Matrix6::Zero();
-  Vector6 gradient = Vector6::Zero();  ///< the solution is information^-1 * gradient
+/// What measurements say about a pose, in information form and linearised at a pose. The error of
+/// that pose which fits them best is matrix^-1 * vector.
+struct PoseInformation {
+  Pose T_model_base = Pose::Identity();  ///< pose of the linearisation
+  Matrix6 matrix = Matrix6::Zero();      ///< information matrix, may be singular
+  Vector6 vector = Vector6::Zero();      ///< information vector
 };
 
-/// The pose moved by an error, and the error that moves one pose to another.
+/// Returns the pose moved by an error.
 Pose moved(const Pose& T_model_base, const Vector6& error);
+
+/// Returns the error that moves the pose `from` to the pose `to`: the inverse of moved().
 Vector6 error_between(const Pose& from, const Pose& to);
 
-/// Takes an error of a base to that of a point of it that lies `lever` (in world) further on.
-Matrix6 carry(const Eigen::Vector3d& lever);
+/// Returns the Jacobian of a point's error by the error of a base that carries it. `lever` leads
+/// from the base's origin to the point [m], along the axes of the model frame.
+Matrix6 transport(const Eigen::Vector3d& lever);
 
-/// Turns the blocks of numbers on the axes of a base to those of the world.
-Matrix6 in_world(const Vector6& on_axes, const Eigen::Matrix3d& rotation);
+/// Returns diagonal blocks, given along the axes of a base, along those of the model frame.
+/// `rotation` takes vectors of the base to the model frame.
+Matrix6 in_model_axes(const Vector6& on_axes_of_base, const Eigen::Matrix3d& rotation);
 
-/// The belief after a step of the odometry, and of the pose that the step was made from. Variances
-/// of the step's error are in the frame of the base.
+/// Returns the belief after an odometry step. `variances` of the step's error are along the axes of
+/// the base before the step.
 PoseBelief after_step(const PoseBelief& from, const Pose& step, const Vector6& variances);
+
+/// Returns the belief before an odometry step that has led to `to`: the reverse of after_step().
 PoseBelief before_step(const PoseBelief& to, const Pose& step, const Vector6& variances);
 
-/// Two independent beliefs of one pose.
+/// Returns the product of two independent beliefs of one pose. At most one may be certain.
 PoseBelief fused(const PoseBelief& a, const PoseBelief& b);
 
-/// The belief once the observation is known.
-PoseBelief updated(const PoseBelief& belief, const Observation& observation);
+/// Returns the belief once independent measurements of the pose are taken into account.
+PoseBelief updated(const PoseBelief& belief, const PoseInformation& measured);
 
 }  // namespace ribbon_mapper

@@ -4,32 +4,32 @@
 
 #include <vector>
 
-#include "modeler/association/association_config.hpp"
+#include "modeler/registration/registration_config.hpp"
 #include "modeler/ribbon/ribbon.hpp"
 #include "modeler/trajectory/trajectory.hpp"
 
 namespace ribbon_mapper {
 
-/// Poses of all lines of a corrected trajectory, of which those between corrected poses are where
-/// the model itself tells.
+/// Refines the poses of lines between corrected poses by registering their ribbons to the model's
+/// planes. Returns one pose per line, or nothing if there is nothing to register.
 ///
-/// Between two corrected poses the odometry's error is a random walk that is zero at both. Where it
-/// may have moved ribbons off their planes, the lines are registered against the planes of those
-/// lines that are known to be placed right (at first: those next to corrected poses), by a bridge
-/// between the two corrected poses; then the planes are evaluated again with the lines that are now
-/// placed right, and so on. Corrected poses are never touched. How large the odometry's error is,
-/// its mismatch from each corrected pose to the next one shows.
+/// Between two corrected poses the odometry's error is a random walk that is zero at both; its
+/// scale is fitted to the mismatch from each corrected pose to the next. Corrected poses are never
+/// changed. Each round builds landmarks from the lines whose poses are known well enough, at first
+/// those next to corrected poses. Then it smooths each segment with what its lines measure of the
+/// landmarks, and adjusts landmarks and poses together.
 ///
-/// The lines before the first and after the last corrected pose are registered from that one end,
-/// unless there are more than the longest bridge has.
+/// A segment is registered if it has more than three lines (a ribbon takes three) and if odometry
+/// may displace some ribbon by more than the error that ranges share, shared_sigma_ratio. An open
+/// segment, before the first or after the last corrected pose, is registered from its one end
+/// unless it is longer than the longest of the others.
 ///
-/// A bridge is registered if it has more than three lines (a ribbon is made of three) and if by the
-/// odometry's error ribbons may lie further off (one sigma) than what a ribbon itself can tell, see
-/// shared_part_of_sigma. The result is empty if there is none: corrected poses are nearly as dense
-/// as the lines, there is but one, or the odometry is good enough to be believed between them.
-/// `ribbons`: in the order of their lines.
+/// There is nothing to register if the registration is disabled, the trajectory was never
+/// corrected, corrected poses are nearly as dense as lines, there is only one, or odometry suffices
+/// between them. `ribbons` are in the order of their lines.
 std::vector<StampedPose> registered_poses(const std::vector<Ribbon>& ribbons,
                                           const Trajectory& trajectory,
-                                          const PlaneMapConfig& config, double range_sigma_m);
+                                          const RegistrationConfig& config,
+                                          const SharedSettings& shared);
 
 }  // namespace ribbon_mapper

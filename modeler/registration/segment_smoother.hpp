@@ -2,48 +2,48 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <cstddef>
 #include <functional>
-#include <optional>
 #include <vector>
 
-#include "modeler/registration/odometry_noise.hpp"
 #include "modeler/registration/pose_belief.hpp"
+#include "modeler/registration/trajectory_segment.hpp"
 
 namespace ribbon_mapper {
 
-/// The lines between two corrected poses, chained to these and to each other by the odometry: a
-/// bridge of a random walk. (Before the first and after the last corrected pose one end is loose.)
+/// A forward-backward smoother of the poses of a segment's lines (the two-filter form of Rauch,
+/// Tung, Striebel 1965). Without measurements it is a random walk between the segment's ends.
 ///
-/// What the lines observe is taken in by sweeps to and fro (Rauch, Tung, Striebel 1965 in its form
-/// of two filters): each line is looked at where all the others and both ends say it is, so
-/// certainty grows from the ends inwards, and what a ribbon may be is asked when it is known best.
-class Bridge {
+/// Each line is measured where its neighbours and the ends place it. Certainty thus grows from the
+/// ends inwards, and a ribbon is matched only once its line's pose is known as well as it can be.
+class SegmentSmoother {
  public:
-  /// Poses of a line: as they are believed to be without what the line itself observes.
-  using Observe = std::function<Observation(std::size_t line, const PoseBelief& without_it)>;
+  /// Measures the pose of the line of an index within the segment. `without_it` is the belief from
+  /// everything but the line's own measurements.
+  using Measure = std::function<PoseInformation(std::size_t line, const PoseBelief& without_it)>;
 
-  /// `steps` of the odometry: from the first end to the first line, to the next, .., to the second
-  /// end; at least two. At least one end is known.
-  Bridge(const std::vector<Pose>& steps, const OdometryNoise& noise,
-         const std::optional<Pose>& first_end, const std::optional<Pose>& second_end);
+  /// Propagates the ends by odometry alone. Throws std::invalid_argument if no end is known, or if
+  /// the numbers of steps and of their variances are not one more than that of the lines.
+  explicit SegmentSmoother(const TrajectorySegment& segment);
 
-  std::size_t lines() const { return ahead_.size(); }
+  /// Returns the number of lines.
+  std::size_t lines() const { return forward_.size(); }
 
-  /// What odometry and ends say alone, or after sweep() all that the other lines say, too.
-  PoseBelief without(std::size_t line) const { return fused(ahead_[line], behind_[line]); }
+  /// Returns the belief of a line's pose without its own measurements: from odometry and ends, and
+  /// from the measurements of all other lines once smooth() was called.
+  PoseBelief without(std::size_t line) const { return fused(forward_[line], backward_[line]); }
 
-  /// Once forth and back.
-  void sweep(const Observe& observe);
+  /// Measures all lines in one forward and one backward pass.
+  void smooth(const Measure& measure);
 
  private:
-  void forth(const Observe* observe);
-  void back(const Observe* observe);
+  void forward_pass(const Measure* measure);
+  void backward_pass(const Measure* measure);
 
-  PoseBelief first_end_, second_end_;
-  std::vector<Pose> steps_;         // from each to the next, one more than lines
-  std::vector<Vector6> variances_;  // of the steps
-  // Of each line, from all that lies before it, and from all that lies behind it.
-  std::vector<PoseBelief> ahead_, behind_;
+  TrajectorySegment segment_;
+  PoseBelief start_, end_;
+  std::vector<PoseBelief> forward_;   // by line, from everything before it
+  std::vector<PoseBelief> backward_;  // by line, from everything behind it
 };
 
 }  // namespace ribbon_mapper

@@ -5,17 +5,22 @@
 namespace ribbon_mapper {
 namespace {
 
-/// Of the lines [first, end) between two corrected poses, or beyond their ends.
-Span span_of(const TrackedPoses& recorded, std::uint32_t first, std::uint32_t end,
-             const std::optional<TrackedPose>& from, const std::optional<TrackedPose>& to) {
-  Span span;
-  span.first_line = first, span.end_line = end;
-  if (from) span.T_map_first = from->in_map.T_map_base;
-  if (to) span.T_map_last = to->in_map.T_map_base;
-  span.T_odom_base.push_back(from ? from->T_odom_base : recorded.T_odom_base()[first]);
-  for (std::uint32_t i = first; i < end; ++i) span.T_odom_base.push_back(recorded.T_odom_base()[i]);
-  span.T_odom_base.push_back(to ? to->T_odom_base : recorded.T_odom_base()[end - 1]);
-  return span;
+/// The segment of the lines [first, end). An end is open if there is no corrected pose.
+TrajectorySegment segment_of(const TrackedPoses& recorded, std::uint32_t first, std::uint32_t end,
+                             const std::optional<TrackedPose>& from,
+                             const std::optional<TrackedPose>& to) {
+  TrajectorySegment segment;
+  segment.first_line = first, segment.end_line = end;
+  if (from) segment.T_frame_start = from->in_map.T_map_base;
+  if (to) segment.T_frame_end = to->in_map.T_map_base;
+  Pose T_odom_base = from ? from->T_odom_base : recorded.T_odom_base()[first];
+  const auto step_to = [&](const Pose& T_odom_next) {
+    segment.steps.push_back(T_odom_base.inverse(Eigen::Isometry) * T_odom_next);
+    T_odom_base = T_odom_next;
+  };
+  for (std::uint32_t i = first; i < end; ++i) step_to(recorded.T_odom_base()[i]);
+  step_to(to ? to->T_odom_base : recorded.T_odom_base()[end - 1]);
+  return segment;
 }
 
 std::optional<TrackedPose> pose_at(const TrackedPoses& poses, std::size_t index) {
@@ -24,9 +29,10 @@ std::optional<TrackedPose> pose_at(const TrackedPoses& poses, std::size_t index)
 
 }  // namespace
 
-std::vector<Span> spans_between(const TrackedPoses& recorded, const TrackedPoses& corrected) {
+std::vector<TrajectorySegment> segments_between(const TrackedPoses& recorded,
+                                                const TrackedPoses& corrected) {
   const std::vector<Time>&lines = recorded.stamps(), &ends = corrected.stamps();
-  std::vector<Span> spans;
+  std::vector<TrajectorySegment> segments;
   std::uint32_t line = 0;
   for (std::size_t i = 0; i <= ends.size(); ++i) {
     if (i > 0 && line < lines.size() && lines[line] == ends[i - 1]) ++line;
@@ -34,17 +40,17 @@ std::vector<Span> spans_between(const TrackedPoses& recorded, const TrackedPoses
     while (line < lines.size() && (i == ends.size() || lines[line] < ends[i])) ++line;
     if (line == first) continue;
     const auto from = i > 0 ? pose_at(corrected, i - 1) : std::nullopt;
-    spans.push_back(span_of(recorded, first, line, from, pose_at(corrected, i)));
+    segments.push_back(segment_of(recorded, first, line, from, pose_at(corrected, i)));
   }
-  return spans;
+  return segments;
 }
 
-std::vector<Pose> odometry_steps(const Span& span) {
-  std::vector<Pose> steps;
-  for (std::size_t i = 0; i + 1 < span.T_odom_base.size(); ++i) {
-    steps.push_back(span.T_odom_base[i].inverse(Eigen::Isometry) * span.T_odom_base[i + 1]);
+TrajectorySegment in_frame(TrajectorySegment segment, const Pose& T_frame_other) {
+  const Pose T_other_frame = T_frame_other.inverse(Eigen::Isometry);
+  for (std::optional<Pose>* end : {&segment.T_frame_start, &segment.T_frame_end}) {
+    if (*end) **end = T_other_frame * **end;
   }
-  return steps;
+  return segment;
 }
 
 }  // namespace ribbon_mapper

@@ -7,27 +7,43 @@
 #include <vector>
 
 #include "modeler/geometry/pose.hpp"
+#include "modeler/registration/pose_belief.hpp"
 #include "modeler/trajectory/tracked_poses.hpp"
 
 namespace ribbon_mapper {
 
-/// Successive lines without a corrected pose among them: strictly between two corrected poses, or,
-/// with one loose end, before the first or after the last one.
-struct Span {
-  std::uint32_t first_line = 0, end_line = 0;   ///< [first, end) of the recorded poses
-  std::optional<Pose> T_map_first, T_map_last;  ///< the corrected poses at its ends
-  /// Of first end, lines, last end; a loose end is where its next line is.
-  std::vector<Pose> T_odom_base;
+/// Successive lines strictly between two corrected poses, linked by the odometry. The segments
+/// before the first and after the last corrected pose have one open end.
+///
+/// Poses are in one frame: map if the segment comes from segments_between(), the model frame if it
+/// is given to the smoother or to the adjustment. in_frame() converts.
+struct TrajectorySegment {
+  std::uint32_t first_line = 0;  ///< index of its first line in the trajectory
+  std::uint32_t end_line = 0;    ///< index behind its last line
 
+  /// Motions of the base by odometry: from the start to the first line, from line to line, and from
+  /// the last line to the end. There is one more than lines. An open end lies at its next line.
+  std::vector<Pose> steps;
+  /// Variances of the steps' errors, along the axes of the base before the step [m2, rad2]. Empty
+  /// until set_step_variances() is called.
+  std::vector<Vector6> step_variances;
+
+  std::optional<Pose> T_frame_start;  ///< corrected pose before the first line, if any
+  std::optional<Pose> T_frame_end;    ///< corrected pose behind the last line, if any
+
+  /// Returns the number of lines.
   std::uint32_t lines() const { return end_line - first_line; }
-  bool has_loose_end() const { return !T_map_first || !T_map_last; }
+  /// Returns true if one end is not known.
+  bool is_open() const { return !T_frame_start || !T_frame_end; }
 };
 
-/// All spans of at least one line, in order. `corrected`: poses in map with the odometry of their
-/// time, not empty.
-std::vector<Span> spans_between(const TrackedPoses& recorded, const TrackedPoses& corrected);
+/// Returns all segments of at least one line, in order of time, without step variances and with
+/// ends in map. `corrected` holds poses in map with the odometry of their time and is not empty.
+/// A line at the stamp of a corrected pose belongs to no segment.
+std::vector<TrajectorySegment> segments_between(const TrackedPoses& recorded,
+                                                const TrackedPoses& corrected);
 
-/// From each of the span's poses to the next.
-std::vector<Pose> odometry_steps(const Span& span);
+/// Returns the segment with its ends in another frame. `T_frame_other` is the pose of that frame.
+TrajectorySegment in_frame(TrajectorySegment segment, const Pose& T_frame_other);
 
 }  // namespace ribbon_mapper

@@ -8,44 +8,48 @@
 
 namespace ribbon_mapper {
 
-/// Numbers cut where they leave gaps (single linkage), without sorting them: there are few
-/// intervals, and numbers come in runs that lie in the same one.
+/// Groups numbers into intervals separated by gaps (single linkage). Numbers need not be sorted:
+/// there are few intervals, and successive numbers mostly fall into the same one.
 class DistanceIntervals {
  public:
+  /// Creates an empty set of intervals that are separated by more than `gap`.
   explicit DistanceIntervals(double gap) : gap_(gap) {}
 
+  /// Removes all intervals.
   void clear() { intervals_.clear(), latest_ = 0; }
 
+  /// Adds a number, which extends, joins or creates an interval.
   void add(double number) {
     if (latest_ < intervals_.size() && intervals_[latest_].holds(number)) return;
     latest_ = first_with_end_from(number - gap_);
     const auto place = intervals_.begin() + static_cast<std::ptrdiff_t>(latest_);
-    if (place == intervals_.end() || place->least - number > gap_) {
+    if (place == intervals_.end() || place->min - number > gap_) {
       intervals_.insert(place, {number, number});
       return;
     }
-    place->least = std::min(place->least, number);
-    place->most = std::max(place->most, number);
+    place->min = std::min(place->min, number);
+    place->max = std::max(place->max, number);
     const auto after = place + 1;
-    if (after == intervals_.end() || after->least - place->most > gap_) return;
-    place->most = after->most;
+    if (after == intervals_.end() || after->min - place->max > gap_) return;
+    place->max = after->max;
     intervals_.erase(after);
   }
 
+  /// Returns the number of intervals.
   std::size_t size() const { return intervals_.size(); }
 
-  /// Index of the interval of a number that was added, when all are.
+  /// Returns the index of the interval that holds a number, once all numbers have been added.
   std::size_t of(double number) const { return first_with_end_from(number); }
 
  private:
   struct Interval {
-    double least, most;
-    bool holds(double number) const { return least <= number && number <= most; }
+    double min, max;
+    bool holds(double number) const { return min <= number && number <= max; }
   };
 
   std::size_t first_with_end_from(double number) const {
     std::size_t i = 0;
-    while (i < intervals_.size() && intervals_[i].most < number) ++i;
+    while (i < intervals_.size() && intervals_[i].max < number) ++i;
     return i;
   }
 

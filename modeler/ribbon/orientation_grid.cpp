@@ -8,12 +8,12 @@
 namespace ribbon_mapper {
 namespace {
 
-/// atan2(y, x) / 2 pi to 2e-6: Abramowitz and Stegun 4.4.49. The borders of cells need no more, and
-/// the library's function takes as long as the rest of a vote.
+/// Returns atan2(y, x) / 2 pi to 2e-6 (Abramowitz and Stegun 4.4.49). The borders of cells need no
+/// more, and the library's function takes as long as the rest of a vote.
 double turn_of(double y, double x) {
-  const double least = std::min(std::abs(x), std::abs(y)),
-               most = std::max(std::abs(x), std::abs(y));
-  const double ratio = most > 0.0 ? least / most : 0.0, square = ratio * ratio;
+  const double smaller = std::min(std::abs(x), std::abs(y));
+  const double larger = std::max(std::abs(x), std::abs(y));
+  const double ratio = larger > 0.0 ? smaller / larger : 0.0, square = ratio * ratio;
   double angle =
       ratio *
       (0.9998660 +
@@ -46,7 +46,8 @@ std::size_t OrientationGrid::cell_of(const Eigen::Vector3d& normal) const {
   const auto row = static_cast<std::size_t>(turn_of(sine, normal.z()) * rows_per_turn_ + 0.5);
   const std::size_t cells = first_cell_[row + 1] - first_cell_[row];
   const double turn = turn_of(normal.y(), normal.x()) + 0.5;
-  return first_cell_[row] + std::min(cells - 1, static_cast<std::size_t>(turn * cells));
+  return first_cell_[row] +
+         std::min(cells - 1, static_cast<std::size_t>(turn * static_cast<double>(cells)));
 }
 
 std::size_t OrientationGrid::vote(const Eigen::Vector3d& normal, double area_m2) {

@@ -8,27 +8,34 @@
 
 namespace ribbon_mapper {
 
-/// Votes by area over the orientations of section 4.2 (360 x 180 degrees). On a plain grid of
-/// azimuth and elevation the cells shrink to nothing at the poles, which is where floor and ceiling
-/// lie; here each row has as many cells as its circumference holds, so all have about the same
-/// solid angle, and one cell caps each pole.
+/// Votes by area over the orientations of section 4.2 of the paper (360 x 180 degrees).
+///
+/// On a plain grid of azimuth and elevation, cells shrink to nothing at the poles, where the
+/// normals of floor and ceiling lie. Here each row has as many cells as fit its circumference, so
+/// that all cells have about the same solid angle. One cell caps each pole.
 class OrientationGrid {
  public:
+  /// Creates a grid without votes, with cells about `cell_deg` wide [deg].
   explicit OrientationGrid(double cell_deg);
 
+  /// Returns the number of cells.
   std::size_t cell_count() const { return votes_.size(); }
+  /// Returns the index of the cell that holds a unit normal.
   std::size_t cell_of(const Eigen::Vector3d& unit_normal) const;
 
-  /// Returns the cell, by which the vote can be withdrawn.
+  /// Adds a vote and returns the index of its cell, with which it can be withdrawn.
   std::size_t vote(const Eigen::Vector3d& unit_normal, double area_m2);
+  /// Withdraws a vote from the cell that vote() returned.
   void withdraw(std::size_t cell, const Eigen::Vector3d& unit_normal, double area_m2);
+  /// Removes all votes.
   void clear();
 
+  /// The cell with the largest area.
   struct Peak {
     Eigen::Vector3d normal;  ///< area-weighted mean of the cell's votes, unit length
-    double area_m2;
+    double area_m2;          ///< sum of the areas of the cell's votes; 0 if there are none
   };
-  /// The cell with the largest area; area 0 if there are no votes.
+  /// Returns the cell with the largest area.
   Peak peak() const;
 
  private:

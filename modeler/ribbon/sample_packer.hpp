@@ -8,14 +8,15 @@
 
 namespace ribbon_mapper {
 
-/// Packs the samples of one ribbon after another; keeps its memory.
+/// Packs the samples of one ribbon after another, and keeps its memory from one to the next.
 class SamplePacker {
  public:
-  /// A sample further along the ribbon than the one before. `along_m` and `height_m` are means of
-  /// its points, `square_m2` is the mean square of their distances from the ribbon's plane.
+  /// Adds a sample that lies further along the ribbon than the one before it. `along_m` and
+  /// `height_m` are the means of its points; `square_m2` is their mean square distance from the
+  /// ribbon's plane.
   void add(double along_m, double height_m, double square_m2, std::size_t count);
 
-  /// All that were added since the last call. Valid until the next one.
+  /// Returns all samples that were added since the last call. Valid until the next call.
   RibbonSamples pack();
 
  private:

@@ -8,28 +8,15 @@
 namespace ribbon_mapper {
 namespace {
 
-constexpr std::int64_t min_half_width = 2;  // beams
-constexpr double max_half_width = 1e6;      // of beams that all lie on one spot
+constexpr std::int64_t kMinHalfWidth = 2;  // beams
+constexpr double kMaxHalfWidth = 1e6;      // beams; reached only if all of them hit one spot
 
-/// The lines of a buffer, with what does not change from beam to beam.
-struct Lines {
-  explicit Lines(const LineBuffer& buffer)
-      : previous(buffer.previous()),
-        middle(buffer.middle()),
-        next(buffer.next()),
-        beam_spacing(std::abs(middle.angle_increment_rad)) {}
-
-  const ScanLine &previous, &middle, &next;
-  double beam_spacing;  ///< per metre of range
-};
-
-Neighbourhood around(const Lines& lines, std::size_t beam, double half_length_m) {
-  const auto& [previous, middle, next, beam_spacing] = lines;
-  if (!previous.has_return(beam) || !middle.has_return(beam) || !next.has_return(beam)) return {};
-  const double spacing_m = middle.ranges_m[beam] * beam_spacing;
+BeamRange around(const ThreeLines& lines, std::size_t beam, double half_length_m) {
+  if (!lines.have_return(beam)) return {};
+  const auto& [previous, middle, next] = lines;
+  const double spacing_m = middle.ranges_m[beam] * std::abs(middle.angle_increment_rad);
   const auto half = std::max<std::int64_t>(
-      min_half_width,
-      static_cast<std::int64_t>(std::min(half_length_m / spacing_m, max_half_width)));
+      kMinHalfWidth, static_cast<std::int64_t>(std::min(half_length_m / spacing_m, kMaxHalfWidth)));
   const auto here = static_cast<std::int64_t>(beam);
   const std::int64_t first_of_segments =
       std::max({previous.first_of_segment[beam], middle.first_of_segment[beam],
@@ -38,11 +25,11 @@ Neighbourhood around(const Lines& lines, std::size_t beam, double half_length_m)
       {previous.end_of_segment[beam], middle.end_of_segment[beam], next.end_of_segment[beam]});
   const std::int64_t begin = std::max(here - half, first_of_segments);
   const std::int64_t end = std::min(here + half + 1, end_of_segments);
-  if (end - begin < 2 * min_half_width) return {};
+  if (end - begin < 2 * kMinHalfWidth) return {};
   return {static_cast<std::size_t>(begin), static_cast<std::size_t>(end)};
 }
 
-inline double area_m2(const Lines& lines, std::size_t beam) {
+inline double area_m2(const ThreeLines& lines, std::size_t beam) {
   const double range = lines.middle.ranges_m[beam];
   const Eigen::Vector3d& before = lines.previous.directions[beam];
   const Eigen::Vector3d& after = lines.next.directions[beam];
@@ -50,15 +37,14 @@ inline double area_m2(const Lines& lines, std::size_t beam) {
   return 4.0 * range * range * half_step_sine * lines.middle.half_increment_sine;
 }
 
-/// No thicker than noise explains. The smaller extent is that of the base line: no wider than thick
-/// means no normal.
+/// Limits the thickness to what noise explains, and asks for a base line wider than that.
 Flatness flatness_of(const ScanConfig& scan, const RibbonConfig& config) {
   const double limit_m = config.outlier_sigmas * scan.range_sigma_m;
   return {limit_m * limit_m, 2.0};
 }
 
-/// All but the area; false if the points make no normal.
-bool estimate(const Lines& lines, std::size_t beam, const Neighbourhood& near,
+/// Estimates point and normal, not the area. Returns false if the points make no normal.
+bool estimate(const ThreeLines& lines, std::size_t beam, const BeamRange& near,
               const Flatness& flatness, Surfel& surfel) {
   const Moments middle = lines.middle.moments(near.begin, near.end);
   const auto normal = flat_normal(middle + lines.previous.moments(near.begin, near.end) +
@@ -74,16 +60,13 @@ bool estimate(const Lines& lines, std::size_t beam, const Neighbourhood& near,
 
 }  // namespace
 
-Neighbourhood neighbourhood_of(const LineBuffer& buffer, std::size_t beam, double half_length_m) {
-  return around(Lines(buffer), beam, half_length_m);
+BeamRange neighbourhood_of(const ThreeLines& lines, std::size_t beam, double half_length_m) {
+  return around(lines, beam, half_length_m);
 }
 
-double surfel_area_m2(const LineBuffer& buffer, std::size_t beam) {
-  return area_m2(Lines(buffer), beam);
-}
+double surfel_area_m2(const ThreeLines& lines, std::size_t beam) { return area_m2(lines, beam); }
 
-double capped_area_m2(const LineBuffer& buffer, const Neighbourhood& beams, double cap_m2) {
-  const Lines lines(buffer);
+double capped_area_m2(const ThreeLines& lines, const BeamRange& beams, double cap_m2) {
   double sum_m2 = 0.0;
   for (std::size_t beam = beams.begin; beam < beams.end; ++beam) {
     sum_m2 += std::min(cap_m2, area_m2(lines, beam));
@@ -91,10 +74,9 @@ double capped_area_m2(const LineBuffer& buffer, const Neighbourhood& beams, doub
   return sum_m2;
 }
 
-void estimate_surfels(const LineBuffer& buffer, const ScanConfig& scan, const RibbonConfig& config,
+void estimate_surfels(const ThreeLines& lines, const ScanConfig& scan, const RibbonConfig& config,
                       std::vector<Surfel>& surfels) {
   surfels.clear();
-  const Lines lines(buffer);
   const Flatness flatness = flatness_of(scan, config);
   Surfel surfel;
   for (std::size_t beam = 0; beam < lines.middle.size();) {
@@ -102,10 +84,11 @@ void estimate_surfels(const LineBuffer& buffer, const ScanConfig& scan, const Ri
       ++beam;
       continue;
     }
-    const Neighbourhood near = around(lines, beam, config.neighbourhood_m);
+    const BeamRange near = around(lines, beam, config.neighbourhood_m);
     const std::size_t stride = std::max<std::size_t>(1, near.size() / 8);
     if (near.size() > 0 && estimate(lines, beam, near, flatness, surfel)) {
-      surfel.area_m2 = std::min(config.area_cap_m2, area_m2(lines, beam)) * stride;
+      surfel.area_m2 =
+          std::min(config.area_cap_m2, area_m2(lines, beam)) * static_cast<double>(stride);
       surfels.push_back(surfel);
     }
     beam += stride;

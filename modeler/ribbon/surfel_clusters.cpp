@@ -4,32 +4,32 @@
 
 #include <cmath>
 
+#include "modeler/geometry/angles.hpp"
+
 namespace ribbon_mapper {
 namespace {
 
-constexpr double degree = M_PI / 180.0;
-constexpr double nothing_m2 = 1e-9;  // what is left of a sum when all is withdrawn
+constexpr double kNoArea_m2 = 1e-9;  // rounding errors of a sum whose terms are all withdrawn
 
 }  // namespace
 
 SurfelClusters::SurfelClusters(const RibbonConfig& config)
-    : min_cosine_(std::cos(config.cluster_angle_deg * degree)),
+    : min_cosine_(std::cos(config.cluster_angle_deg * kDegree)),
       min_area_m2_(config.min_cluster_area_m2),
       grid_(config.grid_cell_deg),
       intervals_(config.distance_gap_m) {}
 
-/// Peak by peak, the surfels around its normal become a cluster.
 void SurfelClusters::classify(const std::vector<Surfel>& surfels,
                               const Eigen::Vector3d& sensor_origin) {
-  cluster_.assign(surfels.size(), none);
+  cluster_.assign(surfels.size(), kNone);
   clusters_ = 0;
   vote(surfels);
   double left_m2 = 0.0;
   for (const Vote& vote : votes_) left_m2 += vote.area_m2;
-  while (left_m2 > min_area_m2_ - nothing_m2) {
+  while (left_m2 > min_area_m2_ - kNoArea_m2) {
     const OrientationGrid::Peak peak = grid_.peak();
-    if (peak.area_m2 <= nothing_m2) return;
-    // The mean of all around it is better than the cell's.
+    if (peak.area_m2 <= kNoArea_m2) return;
+    // The mean of all normals around the peak is better than the mean of its cell.
     const Eigen::Vector3d sum = sum_around(peak.normal);
     if (sum.isZero(0.0)) return;
     const Orientation found = take_around(sum.normalized());
@@ -48,7 +48,7 @@ void SurfelClusters::vote(const std::vector<Surfel>& surfels) {
   }
 }
 
-/// Area-weighted sum of the normals within the cluster angle.
+/// Returns the area-weighted sum of the normals within the cluster angle.
 Eigen::Vector3d SurfelClusters::sum_around(const Eigen::Vector3d& normal) const {
   Eigen::Vector3d sum = Eigen::Vector3d::Zero();
   for (const Vote& vote : votes_) {
@@ -57,7 +57,7 @@ Eigen::Vector3d SurfelClusters::sum_around(const Eigen::Vector3d& normal) const 
   return sum;
 }
 
-/// Moves the votes within the cluster angle to the members, both in the order of the surfels.
+/// Moves the votes within the cluster angle to the members; both keep the order of the surfels.
 SurfelClusters::Orientation SurfelClusters::take_around(const Eigen::Vector3d& normal) {
   members_.clear();
   Eigen::Vector3d sum = Eigen::Vector3d::Zero();
@@ -77,7 +77,7 @@ SurfelClusters::Orientation SurfelClusters::take_around(const Eigen::Vector3d& n
   return {sum.normalized(), area_m2};
 }
 
-/// The second step of the classification: one cluster for each distance from the sensor.
+/// Makes one cluster for each distance from the sensor, the second step of section 4.2.
 void SurfelClusters::split_by_distance(const std::vector<Surfel>& surfels,
                                        const Eigen::Vector3d& normal,
                                        const Eigen::Vector3d& sensor_origin) {

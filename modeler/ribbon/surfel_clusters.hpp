@@ -11,17 +11,19 @@
 
 namespace ribbon_mapper {
 
-/// The classification of section 4.2: surfels of one orientation, then of one distance. Keeps its
-/// working memory from line to line, no state beyond it.
+/// Clusters surfels by orientation, then by distance (section 4.2 of the paper). Keeps its working
+/// memory from line to line, and no other state.
 class SurfelClusters {
  public:
-  static constexpr int none = -1;
+  static constexpr int kNone = -1;  ///< the cluster of a surfel that is in none
 
+  /// Creates clusters without surfels. `config` must be valid.
   explicit SurfelClusters(const RibbonConfig& config);
 
+  /// Finds the clusters of all surfels of a line, whose sensor is at `sensor_origin` in odom [m].
   void classify(const std::vector<Surfel>& surfels, const Eigen::Vector3d& sensor_origin);
 
-  /// The cluster of each surfel, or none.
+  /// Returns the cluster of each surfel, or kNone.
   const std::vector<int>& of_surfels() const { return cluster_; }
 
  private:

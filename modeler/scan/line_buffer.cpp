@@ -9,7 +9,7 @@
 namespace ribbon_mapper {
 namespace {
 
-/// Square of the part of `moved` that is normal to the plane that the beams next to `beam` sweep.
+/// Returns the square of the component of `moved` that is normal to the scan plane at `beam`.
 double square_across(const Eigen::Vector3d& moved, const ScanLine& line, std::size_t beam) {
   const std::size_t neighbour = beam + 1 < line.size() ? beam + 1 : beam - 1;
   const Eigen::Vector3d across = line.directions[beam].cross(line.directions[neighbour]);
@@ -26,32 +26,30 @@ void LineBuffer::push() {
   if (count_ < kSlots - 1) {
     ++count_;
   } else if (done_ > 0) {
-    --done_;  // the oldest is overwritten by the next incoming line
+    --done_;  // the next incoming line overwrites the oldest one
   }
-  previous_ = slot(2), middle_ = slot(1), next_ = slot(0);
 }
 
-bool LineBuffer::advance() {
+std::optional<ThreeLines> LineBuffer::next_three_lines() {
   for (; done_ + 1 < count_; ++done_) {
     const std::size_t age = count_ - 1 - done_;
     const ScanLine& line = lines_[slot(age)];
     std::size_t before = age + 1, after = age;
     while (before < count_ && !are_apart(lines_[slot(before)], line)) ++before;
-    if (before == count_) continue;  // among the first lines, or where the tilt turns round
+    if (before == count_) continue;  // one of the first lines, or the tilt reverses here
     do {
-      if (after-- == 0) return false;
+      if (after-- == 0) return std::nullopt;
     } while (!are_apart(line, lines_[slot(after)]));
-    previous_ = slot(before), middle_ = slot(age), next_ = slot(after);
     ++done_;
-    return true;
+    return ThreeLines{lines_[slot(before)], line, lines_[slot(after)]};
   }
-  return false;
+  return std::nullopt;
 }
 
-/// A pooled line has less noise.
+/// An averaged line has less noise, so its base line may be shorter.
 bool LineBuffer::are_apart(const ScanLine& before, const ScanLine& line) const {
-  const auto pooled = static_cast<double>(std::min(before.averaged_lines, line.averaged_lines));
-  return ribbon_mapper::base_line_m(before, line) >= base_line_m_ / std::sqrt(pooled);
+  const auto averaged = static_cast<double>(std::min(before.averaged_lines, line.averaged_lines));
+  return ribbon_mapper::base_line_m(before, line) >= base_line_m_ / std::sqrt(averaged);
 }
 
 double base_line_m(const ScanLine& before, const ScanLine& line) {

@@ -4,37 +4,37 @@
 
 #include <array>
 #include <cstddef>
+#include <optional>
 
-#include "modeler/scan/scan_line.hpp"
+#include "modeler/scan/three_lines.hpp"
 
 namespace ribbon_mapper {
 
-/// The circular buffer of section 4.1, from which each line gets a line before and one after it for
-/// its normals. The paper takes the ones next to it; where lines lie closer together than the noise
-/// allows, it is the nearest ones that are far enough away.
+/// The circular buffer of section 4.1 of the paper: pairs each line with one before and one after
+/// it, so that normals can be estimated.
+///
+/// The paper pairs a line with its direct neighbours. Where lines lie closer together than the
+/// noise allows, the buffer takes the nearest ones that are far enough away.
 class LineBuffer {
  public:
+  /// Creates an empty buffer. Paired lines lie at least `base_line_m` apart.
   explicit LineBuffer(double base_line_m = 0.0) : base_line_m_(base_line_m) {}
 
-  /// Line to be filled with place_beams() before push().
+  /// Returns the line to be filled by place_beams() before push().
   ScanLine& incoming() { return lines_[(newest_ + 1) % kSlots]; }
 
-  /// Takes the incoming line in. A line of another beam count starts the buffer afresh.
+  /// Adds the incoming line. A line with another number of beams clears the buffer first.
   void push();
+
+  /// Removes all lines.
   void clear() { count_ = done_ = 0; }
 
+  /// Returns the line that was pushed last, or null if there is none.
   const ScanLine* newest_line() const { return count_ > 0 ? &lines_[newest_] : nullptr; }
 
-  /// Goes on to the next middle line, one that has a line far enough before and one far enough
-  /// after it; false if there is none yet.
-  bool advance();
-
-  bool is_full() const { return count_ >= 3; }
-
-  // The last three lines after push(), if there are three; what advance() found after that.
-  const ScanLine& previous() const { return lines_[previous_]; }
-  const ScanLine& middle() const { return lines_[middle_]; }
-  const ScanLine& next() const { return lines_[next_]; }
+  /// Returns the next middle line with its neighbours, or nothing if it has to wait for later
+  /// lines. The lines stay valid until the next push().
+  std::optional<ThreeLines> next_three_lines();
 
  private:
   static constexpr std::size_t kSlots = 25;  // one of them for the incoming line
@@ -45,14 +45,14 @@ class LineBuffer {
   double base_line_m_;
   std::array<ScanLine, kSlots> lines_;
   std::size_t newest_ = 0;
-  std::size_t count_ = 0;  ///< lines in the buffer
-  std::size_t done_ = 0;   ///< of these, the oldest ones that have been the middle or cannot be
-  std::size_t previous_ = 0, middle_ = 0, next_ = 0;  // slots
+  std::size_t count_ = 0;  // lines in the buffer
+  std::size_t done_ = 0;   // the oldest of these: they were the middle line or cannot be
 };
 
-/// Median over the beams of how far `line`'s beams lie from those of `before`, across the lines and
-/// at the ranges of `line` [m]; a shift along the lines does not count. 0 if there are no returns,
-/// infinite if the lines have different beam counts.
+/// Returns the distance between two lines' beams, at the ranges of `line` and across the lines [m].
+///
+/// The distance is the median over the beams; a shift along the lines does not count. It is 0 if
+/// `line` has no returns and infinite if the lines have different numbers of beams.
 double base_line_m(const ScanLine& before, const ScanLine& line);
 
 }  // namespace ribbon_mapper

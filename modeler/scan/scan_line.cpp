@@ -7,15 +7,17 @@
 #include <cmath>
 #include <limits>
 
+#include "modeler/geometry/angles.hpp"
+
 namespace ribbon_mapper {
 namespace {
 
-/// Four numbers are two pairs to the processor, three are not.
+/// Pads to four doubles, so that the arithmetic maps to whole SSE2 registers.
 Eigen::Vector4d padded(const Eigen::Vector3d& v) { return {v.x(), v.y(), v.z(), 0.0}; }
 
-/// Motion of the laser from the first to the last beam, with the fraction s in -0.5 .. 0.5 about
-/// the middle. The rotation is developed to second order in s: for the 0.02 rad that a PR2's tilt
-/// turns within a line, this is exact to 1e-7 rad.
+/// The laser's motion from the first to the last beam, as a function of the fraction s in
+/// -0.5 .. 0.5 about the middle. The rotation is expanded to second order in s: exact to 1e-7 rad
+/// for the 0.02 rad that a PR2's tilt turns within a line.
 class LaserMotion {
  public:
   LaserMotion(const Pose& T_odom_laser_first, const Pose& T_odom_laser_last)
@@ -33,13 +35,13 @@ class LaserMotion {
   Eigen::Vector3d origin(double s) const { return middle_.translation() + s * travel_; }
   const Eigen::Vector3d& travel() const { return travel_; }
 
-  /// `beam`: direction in the scan plane.
+  /// Returns the direction in odom of `beam`, a direction in the scan plane.
   Eigen::Vector4d direction(double s, const Eigen::Vector2d& beam) const {
     return beam.x() * axes_[0].at(s) + beam.y() * axes_[1].at(s);
   }
 
  private:
-  /// Of the scan plane, to second order.
+  /// An axis of the scan plane in odom, to second order.
   struct Axis {
     Eigen::Vector4d at_middle, first_order, second_order;
     Eigen::Vector4d at(double s) const { return at_middle + s * (first_order + s * second_order); }
@@ -50,8 +52,8 @@ class LaserMotion {
   std::array<Axis, 2> axes_;
 };
 
-/// Directions in the scan plane of one beam after the other: each turned from the one before, and
-/// computed afresh before rounding adds up to 1e-14.
+/// Generates the beams' directions in the scan plane. Each is the one before, rotated; every 32nd
+/// is computed exactly, before rounding accumulates to 1e-14.
 class BeamFan {
  public:
   explicit BeamFan(const LaserBeams& beams)
@@ -60,7 +62,8 @@ class BeamFan {
 
   Eigen::Vector2d next() {
     if (index_ % kTurns == 0) {
-      const double angle_rad = beams_.angle_min_rad + index_ * beams_.angle_increment_rad;
+      const double angle_rad =
+          beams_.angle_min_rad + static_cast<double>(index_) * beams_.angle_increment_rad;
       beam_ = {std::cos(angle_rad), std::sin(angle_rad)};
     } else {
       beam_ = {turn_.x() * beam_.x() - turn_.y() * beam_.y(),
@@ -87,8 +90,8 @@ void resize(ScanLine& line, std::size_t size) {
   line.before.resize(size + 1);
 }
 
-/// Two beams next to each other belong to one surface unless they lie further apart than noise and
-/// a grazing view (about 7 degrees) explain.
+/// Returns true if a beam and the one before it lie further apart than noise and a grazing view
+/// (about 7 degrees) explain.
 bool is_jump(const ScanLine& line, std::size_t beam, const ScanConfig& config) {
   const double spacing = line.ranges_m[beam] * std::abs(line.angle_increment_rad);
   const double limit = std::max(6.0 * config.range_sigma_m, 8.0 * spacing);
@@ -110,9 +113,7 @@ void find_segments(ScanLine& line, const ScanConfig& config) {
   }
 }
 
-constexpr double degree = M_PI / 180.0;
-
-/// Tells which points lie on the robot itself.
+/// The column about the base that holds the robot itself.
 class RobotBody {
  public:
   RobotBody(const ScanLine& line, const ScanConfig& config)
@@ -135,14 +136,14 @@ class RobotBody {
   Pose T_base_odom_;
 };
 
-/// Tells which ranges are returns.
+/// The limits between which ranges are returns.
 class ReturnLimits {
  public:
   ReturnLimits(const LaserBeams& beams, const ScanConfig& config)
       : min_m_(std::max(beams.range_min_m, config.min_range_m)),
         max_m_(std::min(beams.range_max_m, config.max_range_m)) {}
 
-  /// False for NaN; infinity counts as too far whatever the limits.
+  /// Returns false for NaN, and for infinity whatever the limits.
   bool hold(float range_m) const {
     return range_m >= min_m_ && range_m <= max_m_ && range_m <= std::numeric_limits<float>::max();
   }
@@ -151,7 +152,8 @@ class ReturnLimits {
   double min_m_, max_m_;
 };
 
-/// Of three ranges side by side. The steps come first: few are large, which processors learn.
+/// Returns true if the middle one of three neighbouring ranges is a mixed pixel. The steps are
+/// tested first: few are large, so the branch is predictable.
 inline bool is_mixed_pixel(const float* r, const ReturnLimits& limits, double step_per_range) {
   const double before = r[-1], range = r[0], after = r[1];
   const double to_it = range - before, from_it = after - range;
@@ -160,7 +162,7 @@ inline bool is_mixed_pixel(const float* r, const ReturnLimits& limits, double st
          limits.hold(r[-1]) && limits.hold(r[1]);
 }
 
-/// Ranges of the returns, 0 elsewhere.
+/// Copies the ranges of the returns and sets all others to 0.
 void take_returns(const LaserBeams& beams, const ScanConfig& config, ScanLine& line) {
   const ReturnLimits limits(beams, config);
   const double mixed_pixel_step = mixed_pixel_step_per_range(beams, config);
@@ -178,7 +180,7 @@ void place_returns(const LaserBeams& beams, const LaserMotion& motion, const Sca
                    ScanLine& line) {
   const RobotBody body(line, config);
   const std::size_t size = line.size();
-  const double step = config.deskew && size > 1 ? 1.0 / (size - 1.0) : 0.0;
+  const double step = config.deskew && size > 1 ? 1.0 / static_cast<double>(size - 1) : 0.0;
   const double first = config.deskew ? -0.5 : 0.0;
   line.first_origin = motion.origin(first);
   line.origin_step = step * motion.travel();
@@ -208,7 +210,7 @@ void sum_up(ScanLine& line) {
 double mixed_pixel_step_per_range(const LaserBeams& beams, const ScanConfig& config) {
   if (config.mixed_pixel_angle_deg <= 0.0) return std::numeric_limits<double>::infinity();
   return std::sin(std::abs(beams.angle_increment_rad)) /
-         std::tan(config.mixed_pixel_angle_deg * degree);
+         std::tan(config.mixed_pixel_angle_deg * kDegree);
 }
 
 bool is_mixed_pixel(const LaserBeams& beams, std::size_t beam, const ScanConfig& config,
@@ -221,7 +223,7 @@ bool is_return(float range_m, const LaserBeams& beams, const ScanConfig& config)
   return ReturnLimits(beams, config).hold(range_m);
 }
 
-std::optional<std::string> defect_of(const LaserBeams& beams, const LinePoses& poses) {
+std::optional<std::string> find_defect(const LaserBeams& beams, const LinePoses& poses) {
   if (!std::isfinite(beams.angle_min_rad) || !std::isfinite(beams.angle_increment_rad) ||
       beams.angle_increment_rad == 0.0) {
     return "angles are not finite, or angle_increment is 0";
@@ -230,7 +232,8 @@ std::optional<std::string> defect_of(const LaserBeams& beams, const LinePoses& p
   if (!(beams.range_min_m >= 0.0) || !(beams.range_max_m > beams.range_min_m)) {
     return "range_min and range_max are not 0 <= range_min < range_max";
   }
-  if (beams.ranges_m.size() * std::abs(beams.angle_increment_rad) > 2.0 * M_PI + 0.1) {
+  const auto count = static_cast<double>(beams.ranges_m.size());
+  if (count * std::abs(beams.angle_increment_rad) > 2.0 * M_PI + 0.1) {
     return "more ranges than angle_increment allows for one rotation";
   }
   for (const Pose* pose :

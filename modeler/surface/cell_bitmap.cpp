@@ -113,7 +113,8 @@ std::vector<GridCorner> CellBitmap::outer_boundary() const {
     while (lower_edges[i] != 0) {
       const auto at = 64 * i + static_cast<std::size_t>(__builtin_ctzll(lower_edges[i]));
       const auto columns = static_cast<std::size_t>(columns_);
-      std::vector<GridCorner> boundary = follow(at % columns, at / columns, lower_edges);
+      const auto u = static_cast<int>(at % columns), v = static_cast<int>(at / columns);
+      std::vector<GridCorner> boundary = follow(u, v, lower_edges);
       const double area = signed_area(boundary);
       if (area > largest_area) largest = std::move(boundary), largest_area = area;
     }

@@ -99,7 +99,7 @@ CellGrid::Tile& CellGrid::tile_of(int u, int v) {
 void CellGrid::add(const PosedSamples& ribbon) {
   const RibbonSamples& samples = ribbon.samples();
   const Eigen::Vector3d start = place_of(ribbon.point(samples.start_m, 0.0F));
-  const Eigen::Vector3d step = to_grid_ * (RibbonSamples::along_step_m * ribbon.along);
+  const Eigen::Vector3d step = to_grid_ * (RibbonSamples::kAlongStep_m * ribbon.along);
   const FixedPoint u_start(start.x()), v_start(start.y()), u_step(step.x()), v_step(step.y());
   const auto first_m = static_cast<float>(start.z()), step_m = static_cast<float>(step.z());
   const auto height_step_m =

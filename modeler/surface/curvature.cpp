@@ -80,7 +80,8 @@ Curvature curvature_of(const Plane& plane) {
   const Vector6d right = sums.right();
   const Eigen::LDLT<Matrix6d> solver(normal_matrix);
   const Vector6d c = solver.solve(right);
-  const double variance = std::max(0.0, sums.square - c.dot(right)) / (plane.cells.size() - 6.0);
+  const double variance =
+      std::max(0.0, sums.square - c.dot(right)) / (static_cast<double>(plane.cells.size()) - 6.0);
 
   // Larger eigenvalue of [c3 c4; c4 c5] and its derivative by (c3, c4, c5).
   const double mean = 0.5 * (c[3] + c[5]), half = 0.5 * (c[3] - c[5]);

@@ -24,7 +24,6 @@ struct Plane {
   Eigen::Vector3d normal = Eigen::Vector3d::UnitZ();
   double d_m = 0.0;
   double area_m2 = 0.0;  ///< number of seen cells times the area of one
-  std::size_t ribbon_count = 0;
   /// That it is made of: indices into Modeler::ribbons(), sorted.
   std::vector<std::uint32_t> ribbons;
   Eigen::Vector3d centroid = Eigen::Vector3d::Zero();  ///< mean of the seen cells, on the plane

@@ -26,12 +26,11 @@ Eigen::Matrix3d covariance_of(const Hypothesis& hypothesis, const Plane& plane) 
   return covariance;
 }
 
-Plane frame_of(const Hypothesis& hypothesis, const PlaneMapConfig& config) {
+Plane frame_of(const Hypothesis& hypothesis, double cell_size_m) {
   Plane plane;
   plane.id = hypothesis.id;
-  plane.cell_size_m = config.cell_size_m;
-  plane.ribbon_count = hypothesis.members().size();
-  plane.ribbons.reserve(plane.ribbon_count);
+  plane.cell_size_m = cell_size_m;
+  plane.ribbons.reserve(hypothesis.members().size());
   for (const Member& member : hypothesis.members()) plane.ribbons.push_back(member.ribbon);
   plane.normal = hypothesis.normal();
   plane.d_m = hypothesis.d_m();
@@ -46,9 +45,9 @@ Plane frame_of(const Hypothesis& hypothesis, const PlaneMapConfig& config) {
 
 }  // namespace
 
-Surface::Surface(const Hypothesis& hypothesis, const Observations& observations,
-                 const PlaneMapConfig& config)
-    : plane_(frame_of(hypothesis, config)), grid_(plane_) {
+Surface::Surface(const Hypothesis& hypothesis, const PosedObservations& observations,
+                 double cell_size_m)
+    : plane_(frame_of(hypothesis, cell_size_m)), grid_(plane_) {
   const std::vector<Member>& members = hypothesis.members();
   const auto ribbon = [&](std::size_t i) {
     return members[std::min(i, members.size() - 1)].ribbon;

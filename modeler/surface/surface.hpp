@@ -6,9 +6,8 @@
 #include <cstdint>
 #include <utility>
 
-#include "modeler/association/association_config.hpp"
 #include "modeler/association/hypothesis.hpp"
-#include "modeler/observations/observations.hpp"
+#include "modeler/observations/posed_observations.hpp"
 #include "modeler/surface/cell_grid.hpp"
 #include "modeler/surface/plane.hpp"
 
@@ -17,8 +16,7 @@ namespace ribbon_mapper {
 /// A hypothesis with the cells that its ribbons have seen, in the frame of the observations.
 class Surface {
  public:
-  Surface(const Hypothesis& hypothesis, const Observations& observations,
-          const PlaneMapConfig& config);
+  Surface(const Hypothesis& hypothesis, const PosedObservations& observations, double cell_size_m);
 
   const Plane& plane() const { return plane_; }
   Plane take_plane() { return std::move(plane_); }

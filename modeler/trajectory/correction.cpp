@@ -9,7 +9,7 @@
 namespace ribbon_mapper {
 namespace {
 
-/// Number of poses that are not later.
+/// Returns the number of poses that are not later than `time`.
 std::size_t count_until(const TrackedPoses& poses, Time time) {
   const std::vector<Time>& stamps = poses.stamps();
   return static_cast<std::size_t>(std::upper_bound(stamps.begin(), stamps.end(), time) -
@@ -20,7 +20,7 @@ double fraction_of(Time time, Time from, Time to) {
   return to_seconds(time - from) / to_seconds(to - from);
 }
 
-/// The recorded pose at a time within the recording's, interpolated.
+/// Returns the recorded pose at a time within the recording, interpolated.
 TrackedPose recorded_at(const TrackedPoses& recorded, Time time) {
   const std::size_t after = count_until(recorded, time);
   const TrackedPose from = recorded[after - 1];
@@ -75,7 +75,8 @@ Pose Correction::corrected(const TrackedPose& recorded) const {
   if (after == 0) return first_change_ * recorded.in_map.T_map_base;
   if (poses_.stamps()[from] == stamp) return poses_.T_map_base()[from];
   if (after == poses_.size()) return last_change_ * recorded.in_map.T_map_base;
-  // The change of the position is that at the robot's own place, not at the map's origin.
+  // Interpolated at the robot's position: at the map's origin, rotations would act over a lever
+  // arm.
   return interpolate(T_corrected_odom(from) * recorded.T_odom_base,
                      T_corrected_odom(after) * recorded.T_odom_base,
                      fraction_of(stamp, poses_.stamps()[from], poses_.stamps()[after]));

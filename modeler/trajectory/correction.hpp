@@ -9,29 +9,31 @@
 
 namespace ribbon_mapper {
 
-/// Change of a trajectory: what takes a pose as it was recorded to where a corrected trajectory
-/// says it was. At a corrected pose's time it is exactly that pose. Between two of them the robot
-/// went as its odometry says, and where odom lies in the corrected map is interpolated: a live
-/// localisation jumps about in between, odometry does not. Before the first and after the last, the
-/// nearest change of the recorded poses in map holds. What odometry does not know in between, the
-/// planes do: see registered_poses().
+/// The change that takes a pose as it was recorded to where a corrected trajectory says it was.
+///
+/// At the stamp of a corrected pose the result is exactly that pose. Between two corrected poses
+/// the robot moved as its odometry says, and the pose of odom in the corrected map is interpolated:
+/// a live localisation jumps between corrections, odometry does not. Before the first and after the
+/// last corrected pose, the nearest change of the recorded poses in map applies. What odometry does
+/// not know between corrected poses can be recovered from planes: see registered_poses().
 class Correction {
  public:
-  /// Poses of `corrected` that lie outside of the time of `recorded` (in order, not empty) are left
-  /// out. Throws std::invalid_argument saying what is wrong if `corrected` is empty, not strictly
-  /// in order, not finite, or if none of its poses lies within the time of `recorded`.
+  /// Derives the change from recorded poses (not empty) and the corrected ones. Corrected poses
+  /// outside the time of the recorded ones are ignored. Throws std::invalid_argument, saying what
+  /// is wrong, if `corrected` is empty, unordered or not finite, or if none of it can be used.
   Correction(const TrackedPoses& recorded, const std::vector<StampedPose>& corrected);
 
+  /// Returns where a recorded pose was, according to the corrected trajectory.
   Pose corrected(const TrackedPose& recorded) const;
 
-  /// The corrected poses that lie within the time of the recorded ones, with the odometry then.
+  /// Returns the corrected poses within the time of the recorded ones, with their odometry.
   const TrackedPoses& poses() const { return poses_; }
 
  private:
   Pose T_corrected_odom(std::size_t index) const;
 
   TrackedPoses poses_;
-  Pose first_change_, last_change_;  // take recorded poses in map to corrected ones
+  Pose first_change_, last_change_;  // from recorded poses in map to corrected ones
 };
 
 }  // namespace ribbon_mapper

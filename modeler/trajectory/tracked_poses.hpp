@@ -11,25 +11,33 @@
 
 namespace ribbon_mapper {
 
-/// A pose as it was recorded: where localisation and odometry believed the base to be.
+/// The pose of the base in map, with its pose in odom at the same time.
 struct TrackedPose {
-  StampedPose in_map;
-  Pose T_odom_base = Pose::Identity();
+  StampedPose in_map;                   ///< stamp and pose of the base in map
+  Pose T_odom_base = Pose::Identity();  ///< pose of the base in odom at that stamp
 };
 
-/// Many of these, in order of time.
+/// A sequence of tracked poses in the order of their stamps, packed.
 class TrackedPoses {
  public:
+  /// Appends a pose. Its stamp must be later than that of the last one.
   void push_back(const TrackedPose& pose);
-  /// Leaves out all but these, in order.
+  /// Keeps only the poses at these ascending indices.
   void keep(const std::vector<std::uint32_t>& indices);
 
+  /// Returns the number of poses.
   std::size_t size() const { return stamps_.size(); }
+  /// Returns true if there are no poses.
   bool empty() const { return stamps_.empty(); }
+  /// Returns the pose at `index`.
   TrackedPose operator[](std::size_t index) const;
+  /// Returns the stamps, strictly ascending.
   const std::vector<Time>& stamps() const { return stamps_; }
+  /// Returns the poses of the base in map.
   const PackedPoses& T_map_base() const { return T_map_base_; }
+  /// Returns the poses of the base in odom.
   const PackedPoses& T_odom_base() const { return T_odom_base_; }
+  /// Returns the memory in use.
   std::size_t memory_bytes() const;
 
  private:

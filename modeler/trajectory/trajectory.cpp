@@ -3,6 +3,7 @@
 #include "modeler/trajectory/trajectory.hpp"
 
 #include <stdexcept>
+#include <utility>
 
 namespace ribbon_mapper {
 
@@ -15,11 +16,10 @@ void Trajectory::add(const TrackedPose& recorded) {
 
 void Trajectory::correct(const std::vector<StampedPose>& corrected) {
   if (recorded_.empty()) throw std::invalid_argument("there is no model to correct yet");
-  correction_.emplace(recorded_, corrected);
+  Correction correction(recorded_, corrected);
   if (T_map_base_.empty()) T_map_base_ = recorded_.T_map_base();
-  for (std::size_t i = 0; i < size(); ++i) {
-    T_map_base_.set(i, correction_->corrected(recorded_[i]));
-  }
+  for (std::size_t i = 0; i < size(); ++i) T_map_base_.set(i, correction.corrected(recorded_[i]));
+  correction_ = std::move(correction);
 }
 
 void Trajectory::refine(const std::vector<StampedPose>& poses) {

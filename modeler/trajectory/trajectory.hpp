@@ -13,36 +13,46 @@
 
 namespace ribbon_mapper {
 
-/// Acquisition poses: as they were recorded, and where they are believed to be now. Every
-/// correction is measured from the recorded ones.
+/// The acquisition poses of all lines: as they were recorded, and as they are now. Every correction
+/// is measured from the recorded ones, so that corrections do not accumulate errors.
 class Trajectory {
  public:
-  explicit Trajectory(const CorrectionConfig& config) : config_(config) {}
+  /// Creates an empty trajectory.
+  explicit Trajectory(const TrajectoryConfig& config) : config_(config) {}
 
-  /// Stamps must increase.
+  /// Appends a recorded pose, moved by the last correction unless TrajectoryConfig::poses_follow.
+  /// Its stamp must be later than that of the last one.
   void add(const TrackedPose& recorded);
 
-  /// Throws as Correction does; the trajectory is then as it was.
+  /// Replaces the previous correction by a new one. Throws std::invalid_argument as Correction
+  /// does, or if there are no poses yet; the trajectory is then unchanged.
   void correct(const std::vector<StampedPose>& corrected);
 
-  /// Leaves out all poses but these, in order.
-  void keep(const std::vector<std::uint32_t>& indices);
-
-  /// Takes over the poses of all lines, registered between the corrected ones; stamps as they are.
+  /// Replaces the poses of all lines, registered between the corrected ones. There is one pose for
+  /// each line, with its stamp.
   void refine(const std::vector<StampedPose>& poses);
 
+  /// Keeps only the poses at these ascending indices.
+  void keep(const std::vector<std::uint32_t>& indices);
+
+  /// Returns the number of poses.
   std::size_t size() const { return recorded_.size(); }
-  /// As it is now.
+  /// Returns the pose at `index` as it is now.
   Pose T_map_base(std::size_t index) const;
+  /// Returns all poses as they are now.
   std::vector<StampedPose> poses() const;
+  /// Returns all poses as they were recorded.
   const TrackedPoses& recorded() const { return recorded_; }
-  /// The corrected poses within the time of the model, with their odometry; only if is_corrected().
-  const TrackedPoses& corrected() const { return correction_->poses(); }
+  /// Returns true if the trajectory has been corrected.
   bool is_corrected() const { return correction_.has_value(); }
+  /// Returns the corrected poses within the time of the trajectory, with their odometry. Needs
+  /// is_corrected().
+  const TrackedPoses& corrected() const { return correction_->poses(); }
+  /// Returns the memory in use.
   std::size_t memory_bytes() const;
 
  private:
-  CorrectionConfig config_;
+  TrajectoryConfig config_;
   TrackedPoses recorded_;
   PackedPoses T_map_base_;  // empty before the first correction
   std::optional<Correction> correction_;

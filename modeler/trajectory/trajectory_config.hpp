@@ -4,11 +4,11 @@
 
 namespace ribbon_mapper {
 
-/// How a corrected trajectory bears on what comes after it.
-struct CorrectionConfig {
-  /// True: the SLAM that hands over a corrected trajectory has corrected its tf as well, so lines
-  /// that follow are placed where tf says. False: tf goes on as if nothing had happened (the
-  /// simulated SLAM, which does not close loops), so the last change is applied to them too.
+/// How a corrected trajectory affects the lines that follow it.
+struct TrajectoryConfig {
+  /// True: the SLAM corrects its tf together with the trajectory, so later lines are placed where
+  /// tf says. False: tf continues as if nothing had happened (as a SLAM does that closes no
+  /// loops, and as the simulator's does), so the last change is applied to later lines as well.
   bool poses_follow = true;
 };
 

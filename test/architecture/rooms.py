@@ -67,12 +67,12 @@ ROOMS = {
 }
 
 MAX_LINES_OF_A_FILE = 300
-MAX_LINES_OF_A_FUNCTION = 40
+MAX_SOURCES_OF_A_FOLDER = 20
 SOURCES = {".hpp", ".cpp", ".py"}
 
 
 def wrong_includes(root):
-    """One message for each include that ROOMS does not allow, below the folder `root`."""
+    """Returns one message for each include that ROOMS does not allow, below the folder `root`."""
     messages = []
     for top in sorted({room.split("/")[0] for room in ROOMS}):
         for path in sorted((root / top).rglob("*")):
@@ -105,9 +105,9 @@ def _wrong_includes_of(path, name):
 
 
 def wrong_files(root):
-    """One message for each source that is too long, lacks its two SPDX lines, or is in a utils."""
+    """Returns one message for each source that is too long, lacks its two SPDX lines, or is in a utils."""
     messages = []
-    for top in ["bench", "eval", "modeler", "sim", "test"]:
+    for top in ["bench", "eval", "examples", "modeler", "sim", "test", "tools"]:
         for path in sorted((root / top).rglob("*")):
             name = path.relative_to(root)
             if path.is_dir() and re.fullmatch(r"utils?|common|helpers?|misc", path.name):
@@ -117,6 +117,16 @@ def wrong_files(root):
     return messages
 
 
+def full_folders(root):
+    """Returns one message for each folder with too many sources, tests among them."""
+    folders = collections.Counter(
+        path.parent.relative_to(root).as_posix()
+        for top in ["bench", "eval", "examples", "modeler", "sim", "test", "tools"]
+        for path in (root / top).rglob("*") if path.suffix in SOURCES)
+    return [f"{folder} holds {count} sources, more than {MAX_SOURCES_OF_A_FOLDER}"
+            for folder, count in sorted(folders.items()) if count > MAX_SOURCES_OF_A_FOLDER]
+
+
 def _wrong_text(lines, name):
     messages = []
     if len(lines) > MAX_LINES_OF_A_FILE:
@@ -124,18 +134,4 @@ def _wrong_text(lines, name):
     head = [line for line in lines if not line.startswith("#!")][:2]
     if ["SPDX" in line for line in head] != [True, True]:
         messages.append(f"{name} does not begin with two SPDX lines")
-    if name.suffix == ".cpp":
-        messages += [f"{name}:{line}: a function of {length} lines"
-                     for line, length in _functions(lines) if length > MAX_LINES_OF_A_FUNCTION]
     return messages
-
-
-def _functions(lines):
-    """First line and length of the functions at the left margin, as clang-format leaves them."""
-    begin = None
-    for number, line in enumerate(lines, 1):
-        if re.match(r"\w", line):
-            begin = None if re.match(r"(namespace|class|struct|enum)\b", line) else number
-        elif line == "}" and begin is not None:
-            yield begin, number - begin + 1
-            begin = None

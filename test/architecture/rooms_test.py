@@ -18,6 +18,9 @@ class Project(unittest.TestCase):
     def test_files_are_short_and_licensed_and_no_folder_is_a_drawer(self):
         self.assertEqual([], rooms.wrong_files(PROJECT))
 
+    def test_no_folder_is_full(self):
+        self.assertEqual([], rooms.full_folders(PROJECT))
+
     def test_there_is_something_to_check(self):
         for room in ["modeler", "modeler/geometry", "modeler/surface", "modeler/ros/node", "sim/world", "eval/metrics"]:
             self.assertTrue(list((PROJECT / room).glob("*.hpp")), room)
@@ -91,9 +94,12 @@ class PlantedDefects(unittest.TestCase):
         self.plant("eval/metrics/a.cpp", "\n" * 299)
         self.assert_one(rooms.wrong_files(self.root), "eval/metrics/a.cpp", "301 lines")
 
-    def test_a_long_function(self):
-        self.plant("eval/metrics/a.cpp", "int f(int a,\n      int b) {\n" + "  ++a;\n" * 40 + "}\n")
-        self.assert_one(rooms.wrong_files(self.root), "eval/metrics/a.cpp:3", "43 lines")
+    def test_a_full_folder(self):
+        for number in range(20):
+            self.plant(f"sim/world/{number}.cpp", "")
+        self.assertEqual([], rooms.full_folders(self.root))
+        self.plant("sim/world/one_more.hpp", "")
+        self.assert_one(rooms.full_folders(self.root), "sim/world holds 21 sources")
 
     def test_a_file_without_licence(self):
         (self.root / "eval").mkdir()

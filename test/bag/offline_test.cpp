@@ -22,15 +22,7 @@ using testing::HasSubstr;
 
 const fs::path kRoom = PROJECT_DIR "/test/data/small_room.bag";
 const fs::path kRoomTruth = PROJECT_DIR "/test/data/small_room.tum";
-
-/// Shared recordings lie beside the repository, or one folder further up.
-fs::path real(const std::string& name) {
-  for (const char* folder :
-       {PROJECT_DIR "/../shared/data/real", PROJECT_DIR "/../../shared/data/real"}) {
-    if (fs::exists(fs::path(folder) / name)) return fs::path(folder) / name;
-  }
-  return {};
-}
+const fs::path kRecordings = PROJECT_DIR "/test/data/recordings";
 
 OfflineRun run(const fs::path& bag, const std::string& config, const fs::path& trajectory = {}) {
   ros::Time::init();
@@ -149,9 +141,7 @@ TEST(TimeOffset, APlantedOffsetIsFound) {
 }
 
 TEST(RealRecordings, RoomScan1) {
-  const fs::path bag = real("room_scan1.bag");
-  if (bag.empty()) GTEST_SKIP() << "../shared/data/real/room_scan1.bag is not here";
-  const OfflineRun found = run(bag, "room_scan.yaml");
+  const OfflineRun found = run(kRecordings / "room_scan1.bag", "room_scan.yaml");
   std::vector<Plane> planes = found.planes_after;
   std::sort(planes.begin(), planes.end(),
             [](const Plane& a, const Plane& b) { return a.area_m2 > b.area_m2; });
@@ -164,9 +154,7 @@ TEST(RealRecordings, RoomScan1) {
 }
 
 TEST(RealRecordings, Room240) {
-  const fs::path bag = real("room_240.bag");
-  if (bag.empty()) GTEST_SKIP() << "../shared/data/real/room_240.bag is not here";
-  const OfflineRun found = run(bag, "urg04lx.yaml");
+  const OfflineRun found = run(kRecordings / "room_240.bag", "urg04lx.yaml");
   EXPECT_GE(std::count_if(found.planes_after.begin(), found.planes_after.end(),
                           [](const Plane& plane) { return plane.area_m2 >= 0.5; }),
             4);

@@ -25,14 +25,15 @@ Calibration calibration_of(const RunOptions& run) {
   return make_calibration(run, [](const Progress&) {});
 }
 
-/// The laser's sigma is 1 cm over the wall's 3.4 m; quantisation and incidence hardly change it.
+// The range noise is 1 cm at the wall's distance of 3.4 m; quantisation and incidence hardly
+// matter.
 TEST(Calibrate, VSensorIsTheNoiseOfTheLaserWhateverTheDrift) {
   const Calibration exact = calibration_of(before_the_wall(0.0));
   const Calibration drifting = calibration_of(before_the_wall(2.0));
   EXPECT_NEAR(exact.plane.d_m, 8.0, 0.01);
   EXPECT_NEAR(std::sqrt(exact.stopped.distance_variance_m2), 0.009, 0.0015);
   EXPECT_NEAR(exact.stopped.tolerance.distance_m, 0.027, 0.0045);
-  // To rounding: the two stand at other places in map.
+  // Equal but for rounding, as the robot stands elsewhere in map.
   EXPECT_NEAR(exact.stopped.distance_variance_m2, drifting.stopped.distance_variance_m2,
               1e-9 * exact.stopped.distance_variance_m2);
   EXPECT_NEAR(exact.travel_m, 3.2, 0.2);
@@ -73,10 +74,11 @@ TEST(CalibratedPreset, IsLoadedWithEveryKey) {
   config.scan.deskew = false;
   write_content(path, calibrated_preset(config, learned(), "a bag\nwith: lines"));
   const ModelerConfig loaded = load_config(path.string());
-  EXPECT_EQ(loaded.map.slam.angle_deg, 7.5);
-  EXPECT_EQ(loaded.map.slam.distance_m, 0.193);
-  EXPECT_EQ(loaded.map.corrected.distance_m, 0.2);
-  EXPECT_EQ(loaded.map.corrected.angle_deg, config.map.corrected.angle_deg) << "never narrower";
+  EXPECT_EQ(loaded.association.slam.angle_deg, 7.5);
+  EXPECT_EQ(loaded.association.slam.distance_m, 0.193);
+  EXPECT_EQ(loaded.association.corrected.distance_m, 0.2);
+  EXPECT_EQ(loaded.association.corrected.angle_deg, config.association.corrected.angle_deg)
+      << "never narrower";
   EXPECT_EQ(loaded.ribbon.min_points, 9);
   EXPECT_FALSE(loaded.scan.deskew);
 }
@@ -86,18 +88,18 @@ TEST(CalibratedPreset, StaysWithinTheAllowedRanges) {
   wild.moving.tolerance = {400.0, 1e-9};
   const ModelerConfig config = with_tolerances(ModelerConfig(), wild);
   EXPECT_NO_THROW(config.validate());
-  EXPECT_EQ(config.map.slam.angle_deg, 45.0);
+  EXPECT_EQ(config.association.slam.angle_deg, 45.0);
 }
 
 TEST(ConfigToYaml, IsReadAsTheSameValues) {
   const TemporaryDirectory directory;
   const auto path = directory.path() / "all.yaml";
   ModelerConfig config;
-  config.map.bridged_gap_m = 0.1 + 0.2;  // needs all digits
-  config.correction.poses_follow = !config.correction.poses_follow;
+  config.surface.bridged_gap_m = 0.1 + 0.2;  // needs all digits
+  config.trajectory.poses_follow = !config.trajectory.poses_follow;
   write_content(path, config_to_yaml(config));
   const ModelerConfig loaded = load_config(path.string());
-  EXPECT_EQ(loaded.map.bridged_gap_m, config.map.bridged_gap_m);
+  EXPECT_EQ(loaded.surface.bridged_gap_m, config.surface.bridged_gap_m);
   EXPECT_EQ(config_to_yaml(loaded), config_to_yaml(config));
   EXPECT_THAT(content_of(path), HasSubstr("\nmap:\n  slam:\n    angle_deg: 3.2\n"));
 }

@@ -26,11 +26,11 @@ TEST(ExperimentOptions, WithoutAnyItIsTheApartment) {
   const auto options = std::get<ExperimentOptions>(parsed({}));
   ASSERT_THAT(options.runs, SizeIs(1));
   const RunOptions& run = options.runs.front();
-  EXPECT_TRUE(std::filesystem::exists(find_shared(run.world))) << run.world;
+  EXPECT_TRUE(std::filesystem::exists(find_installed_file(run.world))) << run.world;
   EXPECT_TRUE(std::filesystem::exists(route_path(run))) << route_path(run);
   EXPECT_EQ(run.seed, 1U);
   EXPECT_FALSE(run.beams || run.speed_m_s || run.deskew);
-  EXPECT_FALSE(options.is_sweep);
+  EXPECT_FALSE(options.is_series);
 }
 
 TEST(ExperimentOptions, AllAreTaken) {
@@ -53,12 +53,12 @@ TEST(ExperimentOptions, AllAreTaken) {
             "--config c.yaml --noise gazebo --tilt nav --beams 720 --speed 0.6 --deskew off");
 }
 
-TEST(ExperimentOptions, ListsAreSweptInAllCombinations) {
+TEST(ExperimentOptions, ListsMakeASeriesOfAllCombinations) {
   const auto options = std::get<ExperimentOptions>(
       parsed({"--world", "a.sdf,b.sdf", "--world", "c.sdf", "--drift", "0,0.5", "--seeds", "3-5",
               "--deskew", "on,off", "--tilt", "manip,nav,slow", "--beams", "380,720,1040",
               "--speed", "0.1,0.6", "--noise", "gazebo,none"}));
-  EXPECT_TRUE(options.is_sweep);
+  EXPECT_TRUE(options.is_series);
   EXPECT_THAT(options.runs, SizeIs(3 * 2 * 3 * 2 * 3 * 3 * 2 * 2));
   std::set<std::string> commands;
   for (const RunOptions& run : options.runs) commands.insert(command_of(run));
@@ -66,8 +66,8 @@ TEST(ExperimentOptions, ListsAreSweptInAllCombinations) {
   EXPECT_THAT(options.command, HasSubstr("--speed 0.1,0.6"));
 }
 
-TEST(ExperimentOptions, ASingleSeedOfAListIsASweep) {
-  EXPECT_TRUE(std::get<ExperimentOptions>(parsed({"--seeds", "7"})).is_sweep);
+TEST(ExperimentOptions, ASingleSeedOfAListIsASeries) {
+  EXPECT_TRUE(std::get<ExperimentOptions>(parsed({"--seeds", "7"})).is_series);
 }
 
 using Arguments = std::vector<const char*>;

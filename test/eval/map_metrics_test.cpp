@@ -13,7 +13,8 @@ namespace {
 using testing::ElementsAre;
 using testing::IsEmpty;
 
-/// Wall at y = `y_m`, seen from y = -inf: cells of 5 cm from x_begin to x_end, z from 0 to 2 m.
+/// Returns a wall at y = `y_m`, 2 m high, with cells of 5 cm from `x_begin_m` to `x_end_m`. It
+/// faces -y for `side` -1.
 Patch wall(double x_begin_m, double x_end_m, double y_m = 3.0, double side = -1.0) {
   Patch patch;
   patch.normal = {0.0, side, 0.0};
@@ -25,7 +26,7 @@ Patch wall(double x_begin_m, double x_end_m, double y_m = 3.0, double side = -1.
   return patch;
 }
 
-/// Turned about the vertical through `centre`.
+/// Rotates a patch about the vertical axis through `centre`.
 Patch turned(Patch patch, double angle_deg, const Eigen::Vector3d& centre) {
   const Eigen::AngleAxisd rotation(angle_deg * M_PI / 180.0, Eigen::Vector3d::UnitZ());
   patch.normal = rotation * patch.normal;
@@ -57,7 +58,7 @@ TEST(MapMetrics, OneMissed) {
   EXPECT_NEAR(m.coverage, 4.0 / 6.0, 1e-9);
 }
 
-TEST(MapMetrics, OneInvented) {
+TEST(MapMetrics, OneExtra) {
   const MapMetrics m = compare_maps({wall(0, 4), wall(20, 24)}, {wall(0, 4)});
   EXPECT_EQ(m.matched, 1U);
   EXPECT_THAT(m.extra, ElementsAre(1U));
@@ -74,7 +75,7 @@ TEST(MapMetrics, OneSplitInTwo) {
   EXPECT_DOUBLE_EQ(m.precision, 0.5);
 }
 
-TEST(MapMetrics, TwoMerged) {
+TEST(MapMetrics, TwoJoined) {
   const MapMetrics m = compare_maps({wall(0, 4)}, {wall(0, 1.5), wall(1.5, 4)});
   EXPECT_EQ(m.matched, 1U);
   EXPECT_THAT(m.missed, ElementsAre(0U));
@@ -106,7 +107,8 @@ TEST(MapMetrics, TwoSidesOfAThinWallAreTwoPlanes) {
 }
 
 TEST(MapMetrics, AngleAndOffsetAreMeasuredAtTheCentroid) {
-  const Eigen::Vector3d centre(102.0, 3.0, 1.0);  // far from the origin: d alone would tell nothing
+  const Eigen::Vector3d centre(102.0, 3.0,
+                               1.0);  // far from the origin, where d depends on the angle
   const MapMetrics m = compare_maps({turned(wall(100, 104), 2.0, centre)}, {wall(100, 104)});
   ASSERT_EQ(m.matched, 1U);
   EXPECT_NEAR(m.angle_error_deg_mean.value(), 2.0, 1e-9);
@@ -124,7 +126,7 @@ TEST(MapMetrics, ASmallSharedPartIsNoMatch) {
   EXPECT_EQ(compare_maps({wall(0, 4)}, {wall(3, 7)}).matched, 0U);
 }
 
-/// The limits of MatchLimits, each from both sides.
+// Tests each of MatchLimits from both sides.
 TEST(MapMetrics, LimitsAreFiveDegreesTenCentimetresAndHalfOfEither) {
   const Patch truth = wall(0, 4);
   const auto matches = [&](const Patch& estimate) {
@@ -139,7 +141,7 @@ TEST(MapMetrics, LimitsAreFiveDegreesTenCentimetresAndHalfOfEither) {
   EXPECT_TRUE(matches(wall(-20, 2.25))) << "half of the truth suffices";
 }
 
-/// The match is one to one: an estimate that took one truth cannot take the other as well.
+// Matches are one to one: an estimate cannot match two true planes.
 TEST(MapMetrics, AnEstimateOverTwoTruthsWithTheirOwnEstimatesIsADuplicate) {
   const MapMetrics m = compare_maps({wall(0, 2), wall(2, 4), wall(0, 4)}, {wall(0, 2), wall(2, 4)});
   EXPECT_EQ(m.matched, 2U);

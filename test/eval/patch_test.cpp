@@ -10,7 +10,7 @@
 namespace ribbon_mapper::eval {
 namespace {
 
-/// A table top at z = 0.75 m with three cells in an L.
+/// Returns a table top at z = 0.75 m with three cells in an L shape.
 Plane table() {
   Plane plane;
   plane.normal = {0.0, 0.0, 1.0};
@@ -52,7 +52,7 @@ TEST(Patch, AsAPlaneItKeepsItsCellsToHalfACell) {
     const bool is_near =
         std::any_of(plane.cells.begin(), plane.cells.end(), [&](const PlaneCell& c) {
           const Eigen::Vector3d apart = cell_centre(plane, c) - cell;
-          return apart.norm() < 0.0354;  // half of the diagonal
+          return apart.norm() < 0.0354;  // half of a cell's diagonal
         });
     EXPECT_TRUE(is_near) << cell.transpose();
   }

@@ -4,14 +4,14 @@
 
 #include <gmock/gmock.h>
 
-#include "eval/experiment/lines.hpp"
 #include "eval/experiment/run.hpp"
+#include "eval/experiment/scan_conversion.hpp"
 
 namespace ribbon_mapper::eval {
 namespace {
 
-/// A tour of a bare room, with every point's label looked up again by the face that its beam hit:
-/// the room has one true plane per face, so that says which plane it is.
+/// A tour of a bare room with the face that every beam hit. As the room has one true plane per
+/// face, faces are an independent source of the points' labels.
 struct RoomTour {
   RoomTour() {
     RunOptions run;
@@ -32,7 +32,7 @@ struct RoomTour {
     planes = modeler.planes();
   }
 
-  /// Points of the ribbons of a plane on the faces of a true plane.
+  /// Returns the number of points in ribbons of `plane` that lie on faces of `true_plane`.
   std::size_t shared(const Plane& plane, const sim::TruthPlane& true_plane) const {
     std::size_t count = 0;
     for (const std::uint32_t index : plane.ribbons) {
@@ -52,7 +52,7 @@ struct RoomTour {
   std::vector<Plane> planes;
 };
 
-/// Driven once for all tests, which do not change it.
+/// Shares one tour among all tests, which do not change it.
 class PointTruthInARoom : public testing::Test {
  protected:
   static void SetUpTestSuite() { tour_ = std::make_unique<RoomTour>(); }
@@ -66,7 +66,7 @@ class PointTruthInARoom : public testing::Test {
 
 std::unique_ptr<RoomTour> PointTruthInARoom::tour_;
 
-TEST_F(PointTruthInARoom, RibbonsAreFoundAgainByStampAndBeams) {
+TEST_F(PointTruthInARoom, RibbonsAreRelatedToBeamsByStamp) {
   const Overlaps found = overlaps(tour_->planes, PointTruth::Points::of_ribbons);
   ASSERT_EQ(found.truth(), 5U);
   ASSERT_EQ(found.estimates(), 5U);
@@ -86,7 +86,7 @@ TEST_F(PointTruthInARoom, ThePlanesOfTheRoomAreRight) {
   }
 }
 
-/// The laser's noise is 1 cm, its lines lie some centimetres apart.
+// The range noise is 1 cm, and lines are some centimetres apart.
 TEST_F(PointTruthInARoom, RibbonsLieOnTheirTruePlanes) {
   const auto errors = tour_->truth.ribbon_errors(tour_->modeler);
   ASSERT_TRUE(errors);

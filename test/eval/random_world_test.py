@@ -1,6 +1,9 @@
 # SPDX-FileCopyrightText: 2026 ribbon_mapper authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""random_world_test.py EXPERIMENT PROJECT: a random world is the same each time, and can be driven."""
+"""Checks that random worlds are reproducible and that the robot can drive through them.
+
+Usage: random_world_test.py EXPERIMENT PROJECT
+"""
 import json
 import pathlib
 import subprocess
@@ -28,7 +31,7 @@ class RandomWorld(unittest.TestCase):
         self.assertEqual(first['2.sdf'], again['2.sdf'])
         self.assertNotEqual(again['1.sdf'], again['2.sdf'])
 
-    def test_it_can_be_driven_and_modelled(self):
+    def test_it_can_be_driven_through_and_modelled(self):
         made('2', self.folder.name)
         subprocess.run([EXPERIMENT, '--world', f'{self.folder.name}/2.sdf', '--no-figure',
                         '--output', f'{self.folder.name}/results'],

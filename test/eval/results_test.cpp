@@ -12,17 +12,17 @@
 namespace ribbon_mapper::eval {
 namespace {
 
-TEST(Results, EachCellIsComparedWithTheTruth) {
+TEST(Results, EachModelIsComparedWithTheTruth) {
   Results results = sample_results();
   evaluate(results);
-  const FourCells& cells = results.summary.cells;
-  EXPECT_EQ(cells.noisy_as_built.planes, 3U);
-  EXPECT_EQ(cells.noisy_as_built.matched, 1U);
-  EXPECT_EQ(cells.noisy_as_built.duplicates.size(), 1U);
-  EXPECT_EQ(cells.noisy_as_built.extra.size(), 1U);
-  EXPECT_EQ(cells.noisy.planes, 2U);
-  EXPECT_EQ(cells.corrected_as_built.planes, 1U);
-  EXPECT_EQ(cells.corrected.f1, 1.0);
+  const FourMetrics& metrics = results.summary.metrics;
+  EXPECT_EQ(metrics.noisy_as_built.planes, 3U);
+  EXPECT_EQ(metrics.noisy_as_built.matched, 1U);
+  EXPECT_EQ(metrics.noisy_as_built.duplicates.size(), 1U);
+  EXPECT_EQ(metrics.noisy_as_built.extra.size(), 1U);
+  EXPECT_EQ(metrics.noisy.planes, 2U);
+  EXPECT_EQ(metrics.corrected_as_built.planes, 1U);
+  EXPECT_EQ(metrics.corrected.f1, 1.0);
 }
 
 TEST(Results, EndDriftIsThatOfTheLastPoseInItsOwnFrame) {

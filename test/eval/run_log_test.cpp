@@ -21,7 +21,7 @@ RunOptions run(double drift, std::uint64_t seed) {
 
 std::string line_of(const RunOptions& options, const std::string& inputs = "in") {
   Summary summary;
-  summary.run = recorded(options);
+  summary.run = with_portable_names(options);
   summary.lines = options.seed;
   return run_line(summary, inputs);
 }
@@ -32,21 +32,21 @@ class Log : public testing::Test {
   std::filesystem::path path_ = directory_.path() / "runs.jsonl";
 };
 
-TEST_F(Log, ALineTellsItsRunAndItsFigures) {
+TEST_F(Log, ALineHoldsItsRunAndItsFigures) {
   RunOptions options = run(0.5, 7);
   options.beams = 720;
   options.deskew = false;
-  const Record record = record_of(line_of(options));
-  EXPECT_FALSE(comes_before(record.run, recorded(options)));
-  EXPECT_FALSE(comes_before(recorded(options), record.run));
-  EXPECT_EQ(record.figures.at("lines"), 7.0);
-  EXPECT_EQ(record.figures.at("four_cells.noisy_as_built.planes"), 0.0);
-  EXPECT_EQ(record.figures.count("seed"), 0U);
-  EXPECT_EQ(record.figures.count("angle_error_deg_mean"), 0U) << "null";
+  const LoggedRun logged = parse_run_line(line_of(options));
+  EXPECT_FALSE(comes_before(logged.run, with_portable_names(options)));
+  EXPECT_FALSE(comes_before(with_portable_names(options), logged.run));
+  EXPECT_EQ(logged.figures.at("lines"), 7.0);
+  EXPECT_EQ(logged.figures.at("four_models.noisy_as_built.planes"), 0.0);
+  EXPECT_EQ(logged.figures.count("seed"), 0U);
+  EXPECT_EQ(logged.figures.count("angle_error_deg_mean"), 0U) << "null";
 }
 
-/// What happens to a sweep that is killed in the middle of a line.
-TEST_F(Log, AnInterruptedSweepEndsInTheSameBytes) {
+// A series may be killed in the middle of a line.
+TEST_F(Log, AnInterruptedSeriesEndsInTheSameBytes) {
   const std::vector<RunOptions> runs{run(0.0, 1), run(0.0, 2), run(2.0, 1), run(10.0, 1)};
   {
     RunLog whole(path_);
@@ -64,23 +64,23 @@ TEST_F(Log, AnInterruptedSweepEndsInTheSameBytes) {
   EXPECT_EQ(content_of(path_), uninterrupted);
 }
 
-TEST_F(Log, RecordsAreThoseThatAreAskedForSorted) {
+TEST_F(Log, ReturnsTheRequestedRunsSorted) {
   RunLog log(path_);
   for (const double drift : {10.0, 2.0, 0.0}) log.append(line_of(run(drift, 1)));
-  const auto records = log.records_of({run(10.0, 1), run(2.0, 1), run(5.0, 1)});
-  ASSERT_EQ(records.size(), 2U);
-  EXPECT_EQ(records[0].run.drift, 2.0);
-  EXPECT_EQ(records[1].run.drift, 10.0);
+  const auto runs = log.logged_runs({run(10.0, 1), run(2.0, 1), run(5.0, 1)});
+  ASSERT_EQ(runs.size(), 2U);
+  EXPECT_EQ(runs[0].run.drift, 2.0);
+  EXPECT_EQ(runs[1].run.drift, 10.0);
 }
 
-TEST_F(Log, ChangedInputsAreNotTakenForDone) {
+TEST_F(Log, ChangedInputsAreRefused) {
   RunLog log(path_);
   log.append(line_of(run(1.0, 1), "as it was"));
   EXPECT_THAT([&] { log.has(run(1.0, 1), "otherwise"); },
               testing::ThrowsMessage<std::runtime_error>(HasSubstr("has changed")));
 }
 
-TEST_F(Log, SomethingElseIsRefusedWithItsLine) {
+TEST_F(Log, OtherContentIsRefusedWithItsLine) {
   write_content(path_, line_of(run(1.0, 1)) + "{\"a\": 1}\n");
   EXPECT_THAT([&] { RunLog log(path_); },
               testing::ThrowsMessage<std::runtime_error>(HasSubstr("line 2")));

@@ -9,7 +9,6 @@
 namespace ribbon_mapper::eval {
 namespace {
 
-/// What the options mean to the simulator and to the modeler.
 TEST(Run, BeamsAreCountedAboutStraightAhead) {
   for (const int count : {3, 380, 381, 720, 1040, 1080}) {
     RunOptions run;
@@ -34,7 +33,7 @@ TEST(Run, TheSpeedScalesTheRoute) {
   EXPECT_EQ(slow.velocity(from_seconds(3.0)).turn_rad_s, 0.0) << "the first leg is straight";
 }
 
-TEST(Run, DeskewIsAsThePresetUnlessItIsSaid) {
+TEST(Run, DeskewIsThePresetsUnlessGiven) {
   RunOptions run;
   EXPECT_TRUE(modeler_config(run).scan.deskew);
   run.deskew = false;

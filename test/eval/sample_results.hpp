@@ -6,7 +6,7 @@
 
 namespace ribbon_mapper::eval {
 
-/// Wall at x = `x_m`, seen from smaller x: 40 x 40 cells from y_begin on.
+/// Returns a wall at x = `x_m` of 40 x 40 cells, observed from smaller x; y begins at `y_begin_m`.
 inline Plane sample_wall(std::int64_t id, double x_m, double y_begin_m) {
   Plane plane;
   plane.id = id;
@@ -25,13 +25,13 @@ inline Plane sample_wall(std::int64_t id, double x_m, double y_begin_m) {
   return plane;
 }
 
-/// One true wall that drift has doubled, a plane of nothing far away, and a robot that drove 4 m
-/// ahead and ended half a metre and ten degrees off.
+/// Returns results with one true wall, its copy due to drift, and a far extra plane. The robot
+/// drove 4 m ahead; its end drift is half a metre and ten degrees.
 inline Results sample_results() {
   Results results;
   const Plane wall = sample_wall(1, 5.0, 0.0);
-  const Plane doubled = sample_wall(2, 5.05, 0.0), invented = sample_wall(3, -5.0, 0.0);
-  results.models = {{wall, doubled, invented}, {wall, invented}, {wall}, {wall}};
+  const Plane doubled = sample_wall(2, 5.05, 0.0), extra = sample_wall(3, -5.0, 0.0);
+  results.models = {{wall, doubled, extra}, {wall, extra}, {wall}, {wall}};
   results.truth = {patch_of(wall)};
   results.trajectory_truth = {{Time(0), planar_pose(0.0, 0.0, 0.0)},
                               {Time(1'000'000'000), planar_pose(4.0, 0.0, 0.0)}};

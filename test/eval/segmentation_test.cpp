@@ -16,7 +16,7 @@ namespace {
 using testing::ElementsAre;
 using testing::IsEmpty;
 
-/// Runs of points with one true and one estimated label, -1 for none.
+/// A number of points with the same true and estimated labels; -1 is no label.
 struct Block {
   int truth, estimate;
   std::size_t points;
@@ -45,7 +45,7 @@ TEST(SegComp, OneSplitInTwo) {
   EXPECT_THAT(s.noise, IsEmpty());
 }
 
-TEST(SegComp, TwoMerged) {
+TEST(SegComp, TwoJoined) {
   const SegComp s = segcomp(overlaps_of(2, 1, {{0, 0, 60}, {1, 0, 40}}));
   EXPECT_EQ(s.under, 1U);
   EXPECT_EQ(s.correct, 0U);
@@ -53,7 +53,7 @@ TEST(SegComp, TwoMerged) {
   EXPECT_THAT(s.noise, IsEmpty());
 }
 
-TEST(SegComp, OneMissedAndOneInvented) {
+TEST(SegComp, OneMissedAndOneExtra) {
   const SegComp s = segcomp(overlaps_of(2, 2, {{0, 0, 50}, {1, -1, 150}, {-1, 1, 30}}));
   EXPECT_EQ(s.correct, 1U);
   EXPECT_THAT(s.missed, ElementsAre(1U));
@@ -62,7 +62,7 @@ TEST(SegComp, OneMissedAndOneInvented) {
   EXPECT_EQ(s.correct_points_share, 0.25);
 }
 
-/// Two estimates of one wall, of points that were seen at different times.
+// Two estimates of one wall, from points that were observed at different times.
 TEST(SegComp, AWallDoubledByDrift) {
   const SegComp even = segcomp(overlaps_of(1, 2, {{0, 0, 55}, {0, 1, 45}}));
   EXPECT_EQ(even.over, 1U);
@@ -77,8 +77,8 @@ TEST(SegComp, SharesMustExceedTheTolerance) {
   EXPECT_EQ(segcomp(overlaps_of(1, 1, {{0, 0, 80}, {-1, 0, 20}})).correct, 0U);
 }
 
-/// A pair that is correct, and a sliver beside it that would make it an instance of under-
-/// segmentation: the higher mean share decides.
+// A small region beside a correct pair could make the pair under-segmented; the higher mean share
+// decides.
 TEST(SegComp, ClassesCompeteByTheirScores) {
   const SegComp lumped = segcomp(overlaps_of(2, 1, {{0, 0, 90}, {1, 0, 10}}));
   EXPECT_EQ(lumped.under, 1U) << "1 for under-segmented, 0.95 for correct";
@@ -107,8 +107,8 @@ TEST(Evops, HandMadeCases) {
   EXPECT_EQ(split.over_segmented, 1.0);
   EXPECT_EQ(split.matched, 0U);
   EXPECT_EQ(split.noise + split.missed, 0.0);
-  const Evops merged = evops(overlaps_of(2, 1, {{0, 0, 60}, {1, 0, 40}}));
-  EXPECT_EQ(merged.under_segmented, 1.0);
+  const Evops joined = evops(overlaps_of(2, 1, {{0, 0, 60}, {1, 0, 40}}));
+  EXPECT_EQ(joined.under_segmented, 1.0);
   const Evops both = evops(overlaps_of(2, 2, {{0, 0, 50}, {1, -1, 50}, {-1, 1, 30}}));
   EXPECT_EQ(both.precision, 0.5);
   EXPECT_EQ(both.recall, 0.5);
@@ -123,7 +123,7 @@ TEST(Evops, WholePairsBeginAtThreeQuarters) {
   EXPECT_EQ(less.missed, 1.0) << "a partial partner alone is none";
 }
 
-/// Six equal parts: too small for EVOPS to be parts, SegComp sees them.
+// Each of six equal parts is too small for a partial match of EVOPS; SegComp counts them.
 TEST(Evops, ManyPartsAreMissedAndNoise) {
   std::vector<Block> blocks;
   for (int part = 0; part < 6; ++part) blocks.push_back({0, part, 10});
@@ -144,7 +144,7 @@ TEST(Duplication, CountsTheCopiesOfATruePlane) {
   EXPECT_FALSE(duplication(overlaps_of(1, 1, {{0, 0, 5}, {-1, 0, 5}})).ratio) << "half is not most";
 }
 
-/// Labels of few points, mostly alike, so that all classes come up and compete.
+/// Labels of few points, similar enough that all classes occur and compete.
 struct Labelling {
   Regions truth, estimates;
   Overlaps overlaps{0, 0};

@@ -9,7 +9,7 @@
 namespace ribbon_mapper::eval {
 namespace {
 
-/// Figures of numpy.quantile().
+// Expected values are from numpy.quantile().
 TEST(Statistics, QuantilesLieBetweenTheValues) {
   EXPECT_DOUBLE_EQ(quantile({3.0, 1.0, 2.0}, 0.5), 2.0);
   EXPECT_DOUBLE_EQ(quantile({4.0, 1.0, 2.0, 3.0}, 0.5), 2.5);

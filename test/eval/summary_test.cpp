@@ -19,7 +19,7 @@ MapMetrics metrics_with(std::size_t planes) {
   return m;
 }
 
-/// Every number differs from all others, so that none can stand in another's place.
+/// Returns a summary with distinct numbers, so that swapped values are detected.
 Summary sample() {
   Summary s;
   s.command = "experiment --seed 7";
@@ -30,8 +30,8 @@ Summary sample() {
   s.lines = 9000;
   s.dropped_lines = 3;
   s.ribbons = 80000;
-  s.cells = {metrics_with(110), metrics_with(60), metrics_with(31), metrics_with(24)};
-  MapMetrics& result = s.cells.corrected;
+  s.metrics = {metrics_with(110), metrics_with(60), metrics_with(31), metrics_with(24)};
+  MapMetrics& result = s.metrics.corrected;
   result.matched = 21;
   result.missed = {4};
   result.extra = {1, 9};
@@ -86,12 +86,12 @@ TEST(SummaryJson, HasEveryKeyWithItsOwnValue) {
   }
 }
 
-TEST(SummaryJson, HoldsTheFourCells) {
-  const json cells = json::parse(summary_to_json(sample())).at("four_cells");
-  EXPECT_EQ(cells.at("noisy_as_built").at("planes"), 110);
-  EXPECT_EQ(cells.at("noisy").at("planes"), 60);
-  EXPECT_EQ(cells.at("corrected_as_built").at("planes"), 31);
-  EXPECT_EQ(cells.at("corrected").at("duplicates"), 5);
+TEST(SummaryJson, HoldsTheFourModels) {
+  const json models = json::parse(summary_to_json(sample())).at("four_models");
+  EXPECT_EQ(models.at("noisy_as_built").at("planes"), 110);
+  EXPECT_EQ(models.at("noisy").at("planes"), 60);
+  EXPECT_EQ(models.at("corrected_as_built").at("planes"), 31);
+  EXPECT_EQ(models.at("corrected").at("duplicates"), 5);
 }
 
 PointMetrics points_with(std::size_t correct) {
@@ -109,16 +109,16 @@ PointMetrics points_with(std::size_t correct) {
   return p;
 }
 
-TEST(SummaryJson, HoldsThePointsOfTheFourCells) {
+TEST(SummaryJson, HoldsThePointsOfTheFourModels) {
   Summary s = sample();
-  const json without = json::parse(summary_to_json(s)).at("four_cells").at("noisy_as_built");
+  const json without = json::parse(summary_to_json(s)).at("four_models").at("noisy_as_built");
   EXPECT_TRUE(without.at("segcomp").is_null()) << "over ROS";
   s.points = {points_with(1), points_with(2), points_with(3), points_with(4)};
-  const json cells = json::parse(summary_to_json(s)).at("four_cells");
-  EXPECT_EQ(cells.at("noisy_as_built").at("segcomp").at("correct"), 1);
-  EXPECT_EQ(cells.at("noisy").at("segcomp").at("correct"), 2);
-  EXPECT_EQ(cells.at("corrected_as_built").at("segcomp").at("correct"), 3);
-  const json result = cells.at("corrected");
+  const json models = json::parse(summary_to_json(s)).at("four_models");
+  EXPECT_EQ(models.at("noisy_as_built").at("segcomp").at("correct"), 1);
+  EXPECT_EQ(models.at("noisy").at("segcomp").at("correct"), 2);
+  EXPECT_EQ(models.at("corrected_as_built").at("segcomp").at("correct"), 3);
+  const json result = models.at("corrected");
   EXPECT_EQ(result.at("segcomp").at("correct"), 4);
   EXPECT_EQ(result.at("segcomp").at("over"), 11);
   EXPECT_EQ(result.at("segcomp").at("under"), 12);
@@ -151,7 +151,7 @@ TEST(SummaryJson, WithoutAMatchErrorsAreNullNotZero) {
   EXPECT_TRUE(j.at("offset_error_m_mean").is_null());
 }
 
-/// The line of the table that begins with `name`.
+/// Returns what follows `name` in the line of the table that begins with it, or nothing.
 std::string row_of(const std::string& table, const std::string& name) {
   std::istringstream lines(table);
   for (std::string line; std::getline(lines, line);) {
@@ -165,12 +165,12 @@ std::vector<std::string> words_of(const std::string& row) {
   return {std::istream_iterator<std::string>(stream), {}};
 }
 
-TEST(SummaryTable, HasARowPerCellAndTheTruth) {
+TEST(SummaryTable, HasARowPerModelAndTheTruth) {
   const std::string table = summary_table(sample());
   EXPECT_THAT(words_of(row_of(table, "noisy, as built"))[0], "110");
-  EXPECT_THAT(words_of(row_of(table, "noisy, merged and filtered"))[0], "60");
+  EXPECT_THAT(words_of(row_of(table, "noisy, final"))[0], "60");
   EXPECT_THAT(words_of(row_of(table, "corrected, as built"))[0], "31");
-  EXPECT_THAT(words_of(row_of(table, "corrected, merged and filtered")),
+  EXPECT_THAT(words_of(row_of(table, "corrected, final")),
               testing::ElementsAre("24", "21", "1", "2", "5", "0.913", "99.0", "0.25", "7.5"));
   EXPECT_THAT(words_of(row_of(table, "truth"))[0], "22");
 }
@@ -182,7 +182,7 @@ TEST(SummaryTable, PointsHaveATableOfTheirOwn) {
   const std::string table = summary_table(s);
   const std::string points = table.substr(table.find("by points"));
   EXPECT_THAT(words_of(row_of(points, "noisy, as built"))[0], "1");
-  EXPECT_THAT(words_of(row_of(points, "corrected, merged and filtered")),
+  EXPECT_THAT(words_of(row_of(points, "corrected, final")),
               testing::ElementsAre("4", "11", "12", "3", "1", "0.682", "50.0", "75.0", "13"));
 }
 

@@ -16,7 +16,7 @@ using testing::AllOf;
 using testing::HasSubstr;
 using testing::ThrowsMessage;
 
-/// While it lives, files cannot grow beyond `bytes`: a disk that fills up.
+/// Limits the size of files during its lifetime, as a full disk does.
 class FullDisk {
  public:
   explicit FullDisk(rlim_t bytes) {
@@ -68,7 +68,7 @@ TEST(AtomicFile, FullDiskIsReportedAndLeavesTheOldFileWhole) {
   EXPECT_EQ(directory.file_count(), 1U);
 }
 
-TEST(AtomicFile, LeftoversOfACrashAreNoObstacle) {
+TEST(AtomicFile, LeftoversOfACrashDoNotMatter) {
   const TemporaryDirectory directory;
   std::ofstream(directory.path() / ".file.tmp0") << "half";
   write_file_atomically(directory.path() / "file", "new");

@@ -51,7 +51,7 @@ TEST(PlanesJson, WithoutOutlineTheBoxIsThatOfTheCells) {
   EXPECT_TRUE(bounding_box(Plane()).isEmpty());
 }
 
-/// What follows the header of a PLY file.
+/// Returns the bytes after the header of a PLY file.
 std::string body_of(const std::string& ply) {
   const std::string end = "end_header\n";
   return ply.substr(ply.find(end) + end.size());
@@ -101,7 +101,7 @@ TEST(Ply, MeshCoversTheCellsAndFacesTheSeenSide) {
 
 TEST(OctoMap, CellsComeBackAsOccupiedVoxels) {
   Plane plane = small_plane();
-  plane.origin.z() = 0.51;  // within a voxel, not between two
+  plane.origin.z() = 0.51;  // inside a voxel, not on the border of two
   std::stringstream stream(planes_to_octomap({plane}));
   octomap::OcTree tree(1.0);
   ASSERT_TRUE(tree.readBinary(stream));
@@ -119,7 +119,7 @@ TEST(OctoMap, SameModelSameBytes) {
   EXPECT_NO_THROW(planes_to_octomap({}));
 }
 
-TEST(Colour, IdsGetColoursThatDifferAndStandOut) {
+TEST(Colour, ColoursOfIdsDifferAndStandOut) {
   std::set<std::tuple<int, int, int>> seen;
   for (std::int64_t id = -3; id < 100; ++id) {
     const Colour c = plane_colour(id);

@@ -6,7 +6,7 @@
 
 namespace ribbon_mapper {
 
-/// 10 cm x 5 cm of floor at z = 0.5 m: cells (0, 0) and (1, 0).
+/// Returns a level plane of 10 cm x 5 cm at z = 0.5 m with the cells (0, 0) and (1, 0).
 inline Plane small_plane() {
   Plane plane;
   plane.id = 7;

@@ -131,45 +131,54 @@ class ConfigFile : public ::testing::Test {
 };
 
 TEST_F(ConfigFile, SetsWhatItNamesAndLeavesTheRest) {
-  const ModelerConfig config =
-      load_config(write("map: {cell_size_m: 0.1, slam: {angle_deg: 5}}\nribbon:\n  min_points: 8\n"
-                        "scan: {deskew: false}\n"));
-  EXPECT_EQ(0.1, config.map.cell_size_m);
-  EXPECT_EQ(5.0, config.map.slam.angle_deg);
+  const ModelerConfig config = load_config(write(
+      "surface: {cell_size_m: 0.1}\nassociation: {slam: {angle_deg: 5}}\nribbon:\n  min_points: 8\n"
+      "scan: {deskew: false}\n"));
+  EXPECT_EQ(0.1, config.surface.cell_size_m);
+  EXPECT_EQ(5.0, config.association.slam.angle_deg);
   EXPECT_EQ(8, config.ribbon.min_points);
   EXPECT_FALSE(config.scan.deskew);
-  EXPECT_EQ(ModelerConfig{}.map.slam.distance_m, config.map.slam.distance_m);
+  EXPECT_EQ(ModelerConfig{}.association.slam.distance_m, config.association.slam.distance_m);
   EXPECT_EQ(ModelerConfig{}.scan.range_sigma_m, config.scan.range_sigma_m);
 }
 
 TEST_F(ConfigFile, AnEmptyOneIsTheDefaults) {
-  EXPECT_EQ(0.05, load_config(write("")).map.cell_size_m);
-  EXPECT_EQ(0.05, load_config(write("# nothing\n")).map.cell_size_m);
+  EXPECT_EQ(0.05, load_config(write("")).surface.cell_size_m);
+  EXPECT_EQ(0.05, load_config(write("# nothing\n")).surface.cell_size_m);
 }
 
 TEST_F(ConfigFile, UnknownKeysAreRefusedWithTheKnownOnes) {
-  expect_complaint("map: {cell_sise_m: 0.1}", {"unknown key map.cell_sise_m", "map.cell_size_m"});
-  expect_complaint("mapp: {cell_size_m: 0.1}", {"unknown key mapp.cell_size_m"});
+  expect_complaint("surface: {cell_sise_m: 0.1}",
+                   {"unknown key surface.cell_sise_m", "surface.cell_size_m"});
+  expect_complaint("surfaces: {cell_size_m: 0.1}", {"unknown key surfaces.cell_size_m"});
   expect_complaint("cell_size_m: 0.1", {"unknown key cell_size_m"});
-  expect_complaint("map: {slam: {cell_size_m: 0.1}}", {"unknown key map.slam.cell_size_m"});
-  expect_complaint("map: 3", {"unknown key map"});
+  expect_complaint("association: {slam: {cell_size_m: 0.1}}",
+                   {"unknown key association.slam.cell_size_m"});
+  expect_complaint("surface: 3", {"unknown key surface"});
+}
+
+TEST_F(ConfigFile, RenamedKeysAreRefusedWithTheirPresentName) {
+  expect_complaint("map: {cell_size_m: 0.1}",
+                   {"map.cell_size_m was renamed", "write surface.cell_size_m"});
+  expect_complaint("correction: {poses_follow: true}", {"write trajectory.poses_follow"});
+  expect_complaint("ribbon: {least_points: 6}", {"write ribbon.min_points"});
 }
 
 TEST_F(ConfigFile, WrongValuesAreRefusedWithTheKey) {
-  expect_complaint("map: {cell_size_m: wide}", {"map.cell_size_m must be a number"});
-  expect_complaint("map: {cell_size_m: [1, 2]}", {"map.cell_size_m must be a number"});
-  expect_complaint("map: {cell_size_m: }", {"map.cell_size_m must be a number"});
+  expect_complaint("surface: {cell_size_m: wide}", {"surface.cell_size_m must be a number"});
+  expect_complaint("surface: {cell_size_m: [1, 2]}", {"surface.cell_size_m must be a number"});
+  expect_complaint("surface: {cell_size_m: }", {"surface.cell_size_m must be a number"});
   expect_complaint("ribbon: {min_points: 6.5}", {"ribbon.min_points must be a number"});
   expect_complaint("scan: {deskew: 7}", {"scan.deskew must be true or false"});
-  expect_complaint("map: {cell_size_m: 7}", {"map.cell_size_m is 7", "0.01 .. 1"});
-  expect_complaint("map: {cell_size_m: .nan}", {"map.cell_size_m is nan"});
+  expect_complaint("surface: {cell_size_m: 7}", {"surface.cell_size_m is 7", "0.01 .. 1"});
+  expect_complaint("surface: {cell_size_m: .nan}", {"surface.cell_size_m is nan"});
 }
 
 TEST_F(ConfigFile, WhatIsNoConfigurationIsRefused) {
   expect_complaint("- 1\n- 2\n", {"sections with keys"});
   expect_complaint("just words", {"sections with keys"});
-  expect_complaint("map: {cell_size_m: 0.1", {});
-  expect_complaint("map: {cell_size_m: 0.1}\nmap: {cell_size_m: 0.2}", {"given twice"});
+  expect_complaint("surface: {cell_size_m: 0.1", {});
+  expect_complaint("surface: {cell_size_m: 0.1}\nsurface: {cell_size_m: 0.2}", {"given twice"});
   EXPECT_NE(std::string::npos, complaint_about(folder / "none.yaml").find("is there such a file"));
   EXPECT_NE("", complaint_about(folder));
 }

@@ -21,7 +21,7 @@ Lines drifting_tour() {
 /// On the way as after a correction, so that only the trajectory makes a difference.
 ModelerConfig equal_gates() {
   ModelerConfig config;
-  config.map.slam = config.map.corrected;
+  config.association.slam = config.association.corrected;
   return config;
 }
 
@@ -186,7 +186,7 @@ TEST(Correct, LinesThatFollowGoOnFromTheLastChange) {
   const Lines lines = drifting_tour();
   const Lines first(lines.begin(), lines.begin() + 300);
   ModelerConfig config;
-  config.correction.poses_follow = false;  // tf goes on drifting
+  config.trajectory.poses_follow = false;  // tf goes on drifting
   Modeler modeler = model_of(first, config), at_once = model_of(lines, config);
   std::vector<StampedPose> truth = true_trajectory(first);
   truth.pop_back();  // the last line is not in the model before the next one comes

@@ -67,7 +67,7 @@ TEST(Modeler, PointsOfNoRibbonAreWhereTheRobotSawThem) {
 /// The robot goes round and round in one room, with a limit that it reaches within the first round.
 TEST(Modeler, StaysWithinItsMemoryAllDay) {
   ModelerConfig config;
-  config.map.max_ribbons = 600;
+  config.observations.max_ribbons = 600;
   Modeler modeler(config);
   std::size_t max_bytes_in_first_half = 0;
   constexpr int rounds = 12;
@@ -92,7 +92,7 @@ TEST(Modeler, StaysWithinItsMemoryAllDay) {
 /// The corrected model of thinned ribbons is as good.
 TEST(Modeler, IsCorrectedAlsoAfterThinning) {
   ModelerConfig config;
-  config.map.max_ribbons = 600;
+  config.observations.max_ribbons = 600;
   Modeler modeler(config);
   const Motion motion{around_the_middle, to_and_fro, wandering_drift};
   const Lines lines = drive(room(), motion, 0.0, 15.0);
@@ -113,7 +113,7 @@ TEST(Modeler, AnEmptyOneHasNothing) {
 
 TEST(Modeler, RefusesABadConfiguration) {
   ModelerConfig config;
-  config.map.cell_size_m = -1.0;
+  config.surface.cell_size_m = -1.0;
   EXPECT_THROW(Modeler{config}, std::invalid_argument);
 }
 

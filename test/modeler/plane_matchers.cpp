@@ -31,7 +31,7 @@ std::string bytes_of(const std::vector<Plane>& planes) {
   std::string bytes;
   for (const Plane& p : planes) {
     append(bytes, p.id), append(bytes, p.d_m), append(bytes, p.area_m2);
-    append(bytes, p.ribbon_count), append(bytes, p.cell_size_m);
+    append(bytes, p.ribbons.size()), append(bytes, p.cell_size_m);
     for (const auto& v : {p.normal, p.centroid, p.origin, p.axis_u, p.axis_v}) append(bytes, v);
     for (int i = 0; i < 3; ++i) append(bytes, Eigen::Vector3d(p.covariance.col(i)));
     for (const PlaneCell& cell : p.cells) {
@@ -50,7 +50,7 @@ void expect_same(const std::vector<Plane>& expected, const std::vector<Plane>& a
     const Plane &e = expected[i], &a = actual[i];
     SCOPED_TRACE("plane " + std::to_string(i));
     EXPECT_EQ(e.id, a.id);
-    EXPECT_EQ(e.ribbon_count, a.ribbon_count);
+    EXPECT_EQ(e.ribbons.size(), a.ribbons.size());
     EXPECT_EQ(e.cell_size_m, a.cell_size_m);
     EXPECT_LT((e.normal - a.normal).norm(), tolerance);
     EXPECT_NEAR(e.d_m, a.d_m, tolerance);

@@ -4,7 +4,7 @@
 
 #include <gmock/gmock.h>
 
-#include "eval/results/spread.hpp"
+#include "eval/results/series_summary.hpp"
 #include "test/eval/sample_results.hpp"
 #include "test/io/temporary_directory.hpp"
 
@@ -13,7 +13,7 @@ namespace {
 
 using testing::HasSubstr;
 
-/// Says nothing about the rest of a long text, as HasSubstr would.
+/// Searches a text without printing all of it on failure, as HasSubstr would.
 bool has(const std::string& text, const char* part) { return text.find(part) != std::string::npos; }
 
 TEST(Figure, IsDrawnFromTheFilesOfARun) {
@@ -25,7 +25,7 @@ TEST(Figure, IsDrawnFromTheFilesOfARun) {
   EXPECT_EQ(content_of(directory.path() / "before_after.png").substr(1, 3), "PNG");
   const std::string svg = content_of(directory.path() / "before_after.svg");
   for (const char* text :
-       {"Before the correction: 2 planes", "as built on the way: 3",
+       {"Before the correction: 2 planes", "as built during the tour: 3",
         "After the correction: 1 plane", "truth: 1", "1 of 1 true plane found", "</svg>"}) {
     EXPECT_TRUE(has(svg, text)) << text;
   }
@@ -33,17 +33,17 @@ TEST(Figure, IsDrawnFromTheFilesOfARun) {
   EXPECT_TRUE(content_of(directory.path() / "before_after.svg") == svg) << "other bytes";
 }
 
-TEST(Figure, DoseAndResponseIsDrawnFromTheSummaryOfASweep) {
+TEST(Figure, DoseAndResponseIsDrawnFromTheSummaryOfASeries) {
   const TemporaryDirectory directory;
-  std::vector<Record> records;
+  std::vector<LoggedRun> runs;
   for (const double drift : {0.0, 2.0}) {
     Results results = sample_results();
     evaluate(results);
     results.summary.run.drift = drift;
     results.summary.points.emplace();
-    records.push_back(record_of(run_line(results.summary, "")));
+    runs.push_back(parse_run_line(run_line(results.summary, "")));
   }
-  write_content(directory.path() / "summary.json", sweep_summary_to_json(records, ""));
+  write_content(directory.path() / "summary.json", series_summary_to_json(runs, ""));
   ASSERT_TRUE(draw_figure(Figure::dose_response, directory.path()));
   EXPECT_EQ(content_of(directory.path() / "dose_response.png").substr(1, 3), "PNG");
   const std::string svg = content_of(directory.path() / "dose_response.svg");

@@ -105,7 +105,7 @@ class LoopClosure(unittest.TestCase):
         path = os.path.join(rospy.get_param('~output'), 'summary.json')
         self.assertTrue(eventually(lambda: os.path.exists(path)), 'no report in ' + path)
         with open(path) as file:
-            report = json.load(file)['four_cells']
+            report = json.load(file)['four_models']
         cells = (('corrected', self.counts()),
                  ('noisy', self.counts(which=GetModelRequest.BEFORE_CORRECTION)))
         for cell, counts in cells:

@@ -51,7 +51,8 @@ std::vector<BagTopic> BagSet::topics() const {
       topic.name = info->topic, topic.type = info->datatype, topic.md5 = info->md5sum;
     }
   }
-  for (auto& [key, topic] : found) {
+  for (auto& entry : found) {
+    BagTopic& topic = entry.second;
     for (const auto& bag : bags_) {
       rosbag::View view(*bag, [&](const rosbag::ConnectionInfo* info) {
         return info->topic == topic.name && info->md5sum == topic.md5;

@@ -42,7 +42,7 @@ void ScanSurvey::add(const sensor_msgs::LaserScan& scan, const ros::Time& record
     newest_ = std::max(newest_, scan.header.stamp);
     delays_s_.push_back(recorded.toSec() - scan.header.stamp.toSec());
   }
-  if (const auto defect = defect_of(scan)) {
+  if (const auto defect = find_defect(scan)) {
     if (!scan.header.stamp.isZero()) ++defects_[*defect];
     return;
   }

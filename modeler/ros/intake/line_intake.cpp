@@ -11,7 +11,7 @@ constexpr std::size_t kMaxWaiting = 5000;  // 25 s at five times real time; 10 M
 
 void LineIntake::add(const sensor_msgs::LaserScan& scan, const Moment& now) {
   log_.received();
-  waiting_.push_back({defect_of(scan), beams_of(scan), without_slash(scan.header.frame_id), now});
+  waiting_.push_back({find_defect(scan), beams_of(scan), without_slash(scan.header.frame_id), now});
   WaitingLine& line = waiting_.back();
   line.beams.stamp += from_seconds(options_.scan_time_offset_s);
   if (!line.defect && line.beams.stamp <= Time(0)) line.defect = "stamp is zero";

@@ -97,7 +97,7 @@ geometry_msgs::Vector3 vector_message(const Eigen::Vector3d& vector) {
   return xyz<geometry_msgs::Vector3>(vector);
 }
 
-std::optional<std::string> defect_of(const sensor_msgs::LaserScan& scan) {
+std::optional<std::string> find_defect(const sensor_msgs::LaserScan& scan) {
   if (scan.header.stamp.isZero()) return "stamp is zero";
   if (scan.header.stamp.sec > kLatestStamp_s) return "stamp is beyond what tf can look up";
   if (scan.header.frame_id.empty()) return "frame is empty";

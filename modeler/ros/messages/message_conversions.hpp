@@ -35,7 +35,7 @@ geometry_msgs::Point point_message(const Eigen::Vector3d& point);
 geometry_msgs::Vector3 vector_message(const Eigen::Vector3d& vector);
 
 /// What is wrong with a scan as a message; nothing if its beams can be looked at.
-std::optional<std::string> defect_of(const sensor_msgs::LaserScan& scan);
+std::optional<std::string> find_defect(const sensor_msgs::LaserScan& scan);
 LaserBeams beams_of(const sensor_msgs::LaserScan& scan);
 
 nav_msgs::Path path_message(const std::vector<StampedPose>& trajectory, const std::string& frame,

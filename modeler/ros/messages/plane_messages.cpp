@@ -24,7 +24,7 @@ BoundedPlane plane_message(const Plane& plane, bool with_cells) {
   message.normal = vector_message(plane.normal);
   message.d = plane.d_m;
   message.area = plane.area_m2;
-  message.ribbon_count = static_cast<std::uint32_t>(plane.ribbon_count);
+  message.ribbon_count = static_cast<std::uint32_t>(plane.ribbons.size());
   message.centroid = point_message(plane.centroid);
   const Eigen::AlignedBox3d box = bounding_box(plane);
   message.bbox_min = point_message(box.min());

@@ -4,24 +4,14 @@
 
 #include <ros/console.h>
 
-#include <chrono>
+#include "modeler/program/stopwatch.hpp"
 
 namespace ribbon_mapper {
-namespace {
-
-template <typename Work>
-double seconds_of(const Work& work) {
-  const auto start = std::chrono::steady_clock::now();
-  work();
-  return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-}
-
-}  // namespace
 
 void ModelKeeper::add(const ReadyLine& line) {
   LineResult result = LineResult::modelled;
   const double seconds =
-      seconds_of([&] { result = modeler_.add_scan_line(line.beams, line.poses); });
+      wall_seconds_of([&] { result = modeler_.add_scan_line(line.beams, line.poses); });
   if (result == LineResult::malformed || result == LineResult::out_of_order) {
     log_.dropped(to_string(result));
     ROS_WARN_THROTTLE(5.0, "A line is dropped: it is %s.", to_string(result));
@@ -36,7 +26,7 @@ void ModelKeeper::add(const ReadyLine& line) {
 
 void ModelKeeper::correct(const std::vector<StampedPose>& trajectory) {
   Before before{modeler_.planes_as_built(), modeler_.planes(), modeler_.trajectory()};
-  correction_ms_ = 1e3 * seconds_of([&] { modeler_.correct(trajectory); });
+  correction_ms_ = 1e3 * wall_seconds_of([&] { modeler_.correct(trajectory); });
   before_ = std::move(before);
   ++version_;
 }

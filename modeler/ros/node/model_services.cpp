@@ -17,7 +17,7 @@ std::vector<Plane> planes_asked_for(const GetModel::Request& request, ModelKeepe
 }
 
 /// Empty: nothing is wrong with the request.
-std::string defect_of(const GetModel::Request& request, std::size_t revision) {
+std::string find_defect(const GetModel::Request& request, std::size_t revision) {
   if (request.which > GetModel::Request::BEFORE_CORRECTION)
     return "which must be CURRENT (0) or BEFORE_CORRECTION (1)";
   if (request.which == GetModel::Request::BEFORE_CORRECTION && revision == 0)
@@ -31,7 +31,7 @@ GetModel::Response model_response(const GetModel::Request& request, ModelKeeper&
                                   const std::string& map_frame) {
   const ModelStatistics statistics = keeper.modeler().statistics();
   GetModel::Response response;
-  response.message = defect_of(request, statistics.revision);
+  response.message = find_defect(request, statistics.revision);
   response.success = response.message.empty();
   if (!response.success) return response;
   std_msgs::Header header;

@@ -77,7 +77,7 @@ std::vector<Plane> with_outlines(std::vector<Plane> planes, double bridged_gap_m
   return planes;
 }
 
-void describe(const ModelKeeper& keeper, const PlaneMapConfig& config, OfflineRun& run) {
+void describe(const ModelKeeper& keeper, const SurfaceConfig& config, OfflineRun& run) {
   OfflineSummary& s = run.summary;
   s.lines = keeper.log().lines();
   s.dropped_lines = keeper.log().dropped_by_reason();
@@ -95,20 +95,21 @@ void describe(const ModelKeeper& keeper, const PlaneMapConfig& config, OfflineRu
 }  // namespace
 
 OfflineRun model_bags(const OfflineOptions& options, const ProgressCallback& progress) {
-  const ModelerConfig config = load_config(find_shared(options.config).string());
+  const ModelerConfig config = load_config(find_installed_file(options.config).string());
   ModelKeeper keeper(config);
   OfflineRun run;
   for (const auto& bag : options.bags) run.summary.bags.push_back(bag.filename().string());
-  run.summary.config = shared_name(find_shared(options.config)).string();
+  run.summary.config = portable_name(find_installed_file(options.config)).string();
   take_lines(options, keeper, run.summary, progress);
   require_lines(keeper);
 
-  run.planes_before = with_outlines(keeper.modeler().planes_as_built(), config.map.bridged_gap_m);
+  run.planes_before =
+      with_outlines(keeper.modeler().planes_as_built(), config.surface.bridged_gap_m);
   const auto poses = final_poses(options, keeper.modeler(), run.summary.trajectory);
   if (!poses.empty()) keeper.correct(poses);
   run.planes_after = keeper.planes();
   run.trajectory = keeper.modeler().trajectory();
-  describe(keeper, config.map, run);
+  describe(keeper, config.surface, run);
   return run;
 }
 

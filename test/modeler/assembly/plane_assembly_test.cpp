@@ -15,13 +15,16 @@ using namespace mini_world;
 using Vector = Eigen::Vector3d;
 
 const Vector x = Vector::UnitX(), y = Vector::UnitY(), z = Vector::UnitZ();
-const PlaneMapConfig config;
+const AssociationConfig gates;
+const SurfaceConfig surface_config;
+const AssemblyConfig config;
 
-std::vector<Plane> filtered(const Scene& scene, const AssociationGates& gates = config.corrected) {
-  return filtered_planes(scene.map(gates).merged_hypotheses(), gates, scene.observations(), config);
+std::vector<Plane> filtered(const Scene& scene, const AssociationGates& within = gates.corrected) {
+  return assembled_planes(scene.map(within).merged_hypotheses(), within, scene.observations(),
+                          surface_config, config);
 }
 std::vector<Plane> confirmed(const Scene& scene) {
-  return confirmed_planes(scene.map().hypotheses(), scene.observations(), config);
+  return assembled_as_built(scene.map().hypotheses(), scene.observations(), surface_config, config);
 }
 
 Scene floor_patches(double gap_m) {
@@ -45,8 +48,8 @@ TEST(FilteredPlanes, WhatPassedForOneTiltedPlaneIsParted) {
     Scene scene;
     scene.add(patch({1.013, 0.017, 0.0}, x, y));
     scene.add(patch({2.513, 0.017, step_m}, x, y));
-    const auto planes =
-        filtered_planes({scene.whole()}, config.corrected, scene.observations(), config);
+    const auto planes = assembled_planes({scene.whole()}, gates.corrected, scene.observations(),
+                                         surface_config, config);
     ASSERT_EQ(step_m == 0.0 ? 1u : 2u, planes.size());
     for (const Plane& plane : planes) EXPECT_NEAR(1.0, plane.normal.z(), 1e-6);
   }
@@ -100,9 +103,9 @@ Scene upright(std::optional<double> radius_m) {
 }
 
 TEST(FilteredPlanes, TheFacetOfAColumnIsNoPlane) {
-  EXPECT_EQ(1u, filtered(upright({}), config.slam).size());
-  EXPECT_EQ(0u, filtered(upright(0.2), config.slam).size());
-  EXPECT_EQ(1u, filtered(upright(20.0), config.slam).size());
+  EXPECT_EQ(1u, filtered(upright({}), gates.slam).size());
+  EXPECT_EQ(0u, filtered(upright(0.2), gates.slam).size());
+  EXPECT_EQ(1u, filtered(upright(20.0), gates.slam).size());
 }
 
 TEST(FilteredPlanes, AreInTheMapFrameWhereverThatIs) {

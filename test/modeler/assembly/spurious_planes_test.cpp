@@ -39,14 +39,17 @@ Plane across_the_corner(double distance_m, double height_m) {
 }
 
 bool is_kept(const Plane& plane) {
-  for (const Plane& kept : without_spurious_planes({plane, floor_plane, wall_plane}, {})) {
+  for (const Plane& kept : without_spurious_planes({plane, floor_plane, wall_plane},
+                                                   SurfaceConfig{}.bridged_gap_m, {})) {
     if (kept.id == 7) return true;
   }
   return false;
 }
 
 TEST(WithoutSpuriousPlanes, DropsAPlaneWhosePointsLieOnLargerOnes) {
-  ASSERT_EQ(2u, without_spurious_planes({floor_plane, wall_plane}, {}).size());
+  ASSERT_EQ(
+      2u,
+      without_spurious_planes({floor_plane, wall_plane}, SurfaceConfig{}.bridged_gap_m, {}).size());
   EXPECT_FALSE(is_kept(across_the_corner(0.03, 0.0)));
 }
 

@@ -85,7 +85,7 @@ TEST(Hypothesis, TiltSigmaIsTheSpreadOfFits) {
     for (int i = 0; i < 60; ++i) {
       points.add({2.0 + noise(random), -0.5 + i / 59.0, 0.2 * (i % 3)});
     }
-    ribbon.spread = points;
+    ribbon.moments = points;
     Hypothesis plane(0);
     plane.add(PosedRibbon(ribbon, Pose::Identity()), {0, 1.0F});
     square += std::pow(std::asin(plane.normal().y()), 2) / runs;
@@ -115,7 +115,7 @@ TEST(Membership, HasAGateForTheAngleAlongAndAcross) {
 TEST(Membership, DistanceIsTakenAtTheCentroid) {
   // 12 m away along the wall, turned by 1.5 degrees: at the origin it would be off by 30 cm.
   const Ribbon far = ribbon_at_wall(0.0, 1.5, z, {2.0, 12.0, 1.0});
-  EXPECT_GT(std::abs(far.normal.cast<double>().dot(far.spread.mean()) + 2.0), 0.25);
+  EXPECT_GT(std::abs(far.normal.cast<double>().dot(far.moments.mean()) + 2.0), 0.25);
   EXPECT_GT(membership_of(far), 0.1);
 }
 
@@ -142,7 +142,7 @@ Hypothesis small_plane(double distance_m, double angle_deg, const Vector& axis) 
   scene.add(patch({0.0, 0.5, -0.5}, -y, z));
   scene.poses[0].T_map_base = Pose::Identity();
   for (Ribbon& ribbon : scene.ribbons) {
-    ribbon.spread = ribbon.spread.transformed(turn);
+    ribbon.moments = ribbon.moments.transformed(turn);
     ribbon.normal = (turn.linear() * ribbon.normal.cast<double>()).cast<float>();
   }
   return scene.whole();

@@ -17,7 +17,7 @@ using namespace mini_world;
 using Vector = Eigen::Vector3d;
 
 const Vector x = Vector::UnitX(), y = Vector::UnitY(), z = Vector::UnitZ();
-const AssociationGates slam = PlaneMapConfig{}.slam;
+const AssociationGates slam = AssociationConfig{}.slam;
 
 /// Of a wall at `x_m`, seen from the origin, from `y_m` on to the right.
 std::vector<Ribbon> wall(double x_m, double y_m, double width_m) {
@@ -33,7 +33,7 @@ Scene scene_of(const std::vector<std::vector<Ribbon>>& patches) {
 /// A board 10 cm before the middle of a wall, which is seen from its middle outwards.
 Scene board_and_wall() {
   std::vector<Ribbon> ribbons = wall(2.1, 1.0, 2.0);
-  const auto height = [](const Ribbon& r) { return std::abs(r.spread.mean().z() - 0.5); };
+  const auto height = [](const Ribbon& r) { return std::abs(r.moments.mean().z() - 0.5); };
   std::stable_sort(ribbons.begin(), ribbons.end(),
                    [&](const Ribbon& a, const Ribbon& b) { return height(a) < height(b); });
   return scene_of({patch({2.0, 0.5, 0.25}, -y, 0.5 * z), ribbons});
@@ -105,7 +105,7 @@ std::set<std::int64_t> ids_of(const PlaneMap& map) {
 TEST(TakeIds, PlanesThatStayKeepTheirs) {
   const Scene scene = scene_of({wall(2.0, 1.0, 2.0), wall(2.5, 1.0, 2.0), wall(3.0, 1.0, 2.0)});
   const PlaneMap before = scene.map();
-  PlaneMap after = scene.map(PlaneMapConfig{}.corrected, before.next_id());
+  PlaneMap after = scene.map(AssociationConfig{}.corrected, before.next_id());
   EXPECT_EQ((std::set<std::int64_t>{3, 4, 5}), ids_of(after));
   after.take_ids_from(before);
   EXPECT_EQ((std::set<std::int64_t>{0, 1, 2}), ids_of(after));
@@ -119,7 +119,7 @@ TEST(TakeIds, OfAPlaneThatPartsTheLargerPartKeepsIt) {
   const Scene scene = board_and_wall();
   const PlaneMap before = scene.map(slam);
   ASSERT_EQ(1u, before.hypotheses().size());
-  PlaneMap after = scene.map(PlaneMapConfig{}.corrected, before.next_id());
+  PlaneMap after = scene.map(AssociationConfig{}.corrected, before.next_id());
   after.take_ids_from(before);
   const auto hypotheses = after.hypotheses();
   ASSERT_EQ(2u, hypotheses.size());

@@ -37,10 +37,10 @@ Ribbon ribbon_of(const std::vector<Eigen::Vector3d>& points, const Eigen::Vector
   ribbon.last_beam = static_cast<std::uint32_t>(points.size() - 1);
   ribbon.area_m2 = static_cast<float>(points.size() * spacing_m * line_step_m);
   moments.spread(line_step_m * up.cross(along));
-  ribbon.spread = moments;
+  ribbon.moments = moments;
   ribbon.samples = packer.pack();
   ribbon.length_m = ribbon.samples.length_m();
-  ribbon.samples.first = store.keep(ribbon.samples.first, ribbon.samples.size);
+  ribbon.samples.first = store.add(ribbon.samples.first, ribbon.samples.size);
   return ribbon;
 }
 
@@ -64,7 +64,7 @@ std::vector<Ribbon> patch(const Eigen::Vector3d& corner, const Eigen::Vector3d& 
 }
 
 PlaneMap Scene::map(const AssociationGates& gates, std::int64_t first_id) const {
-  PlaneMap map(PlaneMapConfig{}, gates, first_id);
+  PlaneMap map(SurfaceConfig{}.bridged_gap_m, gates, first_id);
   for (std::uint32_t i = 0; i < ribbons.size(); ++i) map.add(observations().ribbon(i), i);
   return map;
 }

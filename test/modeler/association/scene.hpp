@@ -6,8 +6,9 @@
 #include <vector>
 
 #include "modeler/association/plane_map.hpp"
-#include "modeler/observations/observations.hpp"
+#include "modeler/observations/posed_observations.hpp"
 #include "modeler/surface/plane.hpp"
+#include "modeler/surface/surface_config.hpp"
 
 namespace ribbon_mapper::mini_world {
 
@@ -33,8 +34,8 @@ struct Scene {
   void add(const std::vector<Ribbon>& more) {
     ribbons.insert(ribbons.end(), more.begin(), more.end());
   }
-  Observations observations() const { return {ribbons, unassigned, poses}; }
-  PlaneMap map(const AssociationGates& gates = PlaneMapConfig{}.corrected,
+  PosedObservations observations() const { return {ribbons, unassigned, poses}; }
+  PlaneMap map(const AssociationGates& gates = AssociationConfig{}.corrected,
                std::int64_t first_id = 0) const;
   /// All ribbons in one hypothesis, whether they fit or not.
   Hypothesis whole() const;

@@ -14,7 +14,7 @@ using Vector = Eigen::Vector3d;
 using Slots = std::vector<std::uint32_t>;
 
 constexpr double voxel_m = 0.5;
-constexpr CubeSides all_cube_sides = (1 << cube_sides) - 1;
+constexpr CubeSides all_cube_sides = (1 << kCubeSides) - 1;
 
 Vector random_point(std::mt19937& random) {
   std::uniform_real_distribution<double> in(-3.0, 3.0);

@@ -18,10 +18,10 @@ namespace {
 
 using namespace mini_world;
 
-pcl::PointCloud<pcl::PointXYZ> neighbours(const LineBuffer& buffer, const Neighbourhood& around,
+pcl::PointCloud<pcl::PointXYZ> neighbours(const LineTriple& lines, const BeamRange& around,
                                           const Eigen::Vector3d& origin) {
   pcl::PointCloud<pcl::PointXYZ> cloud;
-  for (const ScanLine* line : {&buffer.previous(), &buffer.middle(), &buffer.next()}) {
+  for (const ScanLine* line : {&lines.previous, &lines.middle, &lines.next}) {
     for (std::size_t i = around.begin; i < around.end; ++i) {
       const Eigen::Vector3f p = (line->points[i] - origin).cast<float>();
       cloud.push_back({p.x(), p.y(), p.z()});
@@ -42,12 +42,12 @@ struct Comparison {
   double max_roundings = 0.0;
 };
 
-void compare_with_pcl(const LineBuffer& buffer, const RibbonConfig& config, Comparison& result) {
+void compare_with_pcl(const LineTriple& lines, const RibbonConfig& config, Comparison& result) {
   std::vector<Surfel> surfels;
-  estimate_surfels(buffer, {}, config, surfels);
+  estimate_surfels(lines, {}, config, surfels);
   for (const Surfel& surfel : surfels) {
-    const auto around = neighbourhood_of(buffer, surfel.beam, config.neighbourhood_m);
-    const auto cloud = neighbours(buffer, around, surfel.point);
+    const auto around = neighbourhood_of(lines, surfel.beam, config.neighbourhood_m);
+    const auto cloud = neighbours(lines, around, surfel.point);
     Eigen::Vector4f plane;
     float curvature;
     ASSERT_TRUE(pcl::computePointNormal(cloud, plane, curvature));
@@ -77,18 +77,18 @@ TEST(Normals, AgreeWithPclOnTheSameNeighbours) {
 
 TEST(Normals, AreThoseOfTheFaces) {
   const Motion motion{around_the_middle, to_and_fro, no_drift};
-  const LineBuffer buffer = three_lines(room(), motion, 1.0, {361, 0.0, 1});
+  const LineTriple lines = three_lines(room(), motion, 1.0, {361, 0.0, 1});
   std::vector<Surfel> surfels;
-  estimate_surfels(buffer, {}, {}, surfels);
+  estimate_surfels(lines, {}, {}, surfels);
   const World faces = room();
   std::size_t on_one_face = 0;
   for (const Surfel& surfel : surfels) {
     for (const Face& face : faces) {
       if (std::abs(face.normal.dot(surfel.point) + face.d_m) > 1e-3) continue;
-      const auto around = neighbourhood_of(buffer, surfel.beam, RibbonConfig{}.neighbourhood_m);
-      Moments moments = buffer.middle().moments(around.begin, around.end);
-      moments += buffer.previous().moments(around.begin, around.end);
-      moments += buffer.next().moments(around.begin, around.end);
+      const auto around = neighbourhood_of(lines, surfel.beam, RibbonConfig{}.neighbourhood_m);
+      Moments moments = lines.middle.moments(around.begin, around.end);
+      moments += lines.previous.moments(around.begin, around.end);
+      moments += lines.next.moments(around.begin, around.end);
       if (moments.mean_square_distance(face.normal, face.d_m) > 1e-8) continue;  // at an edge
       EXPECT_GT(surfel.normal.dot(face.normal), 1.0 - 1e-5);  // towards the sensor
       ++on_one_face;

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <memory>
 
 #include "modeler/observations/posed_ribbon.hpp"
 #include "test/modeler/ribbon/three_lines.hpp"
@@ -23,12 +24,14 @@ ScanConfig precise() {
   return config;
 }
 
-std::vector<Ribbon> ribbons_of(const LineBuffer& buffer, const RibbonConfig& config = {}) {
-  static PointStore store;  // as long as the tests
-  return RibbonExtraction(precise(), config).extract(buffer, store);
+/// Returns the ribbons of the middle line; their samples last as long as the test.
+std::vector<Ribbon> ribbons_of(const ThreeLines& lines, const RibbonConfig& config = {}) {
+  static std::vector<std::unique_ptr<RibbonExtraction>> extractions;  // they own the samples
+  extractions.push_back(std::make_unique<RibbonExtraction>(precise(), config));
+  return extractions.back()->extract(lines).ribbons;
 }
 
-LineBuffer precise_lines(const World& world, const Motion& motion, double middle_s = 0.0) {
+LineTriple precise_lines(const World& world, const Motion& motion, double middle_s = 0.0) {
   return three_lines(world, motion, middle_s, {361, 0.005, 3}, precise());
 }
 
@@ -38,7 +41,7 @@ double azimuth_rad(std::uint32_t beam) { return -M_PI_2 + beam * M_PI / 360.0; }
 const Face* face_of(const World& world, const Ribbon& ribbon, const Pose& T_map_base,
                     double angle_deg = 5.0) {
   const Eigen::Vector3d normal = T_map_base.linear() * ribbon.normal.cast<double>();
-  const Eigen::Vector3d centroid = T_map_base * ribbon.spread.mean();
+  const Eigen::Vector3d centroid = T_map_base * ribbon.moments.mean();
   for (const Face& face : world) {
     if (face.normal.dot(normal) > std::cos(angle_deg * degree) &&
         std::abs(face.normal.dot(centroid) + face.d_m) < 0.01) {
@@ -69,7 +72,7 @@ TEST(RibbonExtraction, RibbonsLieOnTheirFacesInTheFrameOfTheirPose) {
     for (const Ribbon& ribbon : ribbons) {
       const Face* face = face_of(world, ribbon, T_map_base);
       ASSERT_TRUE(face) << "tilt " << tilt_rad << ", from beam " << ribbon.first_beam;
-      const Moments moments = ribbon.spread.transformed(T_map_base);
+      const Moments moments = ribbon.moments.transformed(T_map_base);
       EXPECT_LT(moments.mean_square_distance(face->normal, face->d_m), 0.008 * 0.008);
       EXPECT_NEAR(0.0, ribbon.normal.dot(ribbon.along), 0.02);
     }
@@ -78,27 +81,27 @@ TEST(RibbonExtraction, RibbonsLieOnTheirFacesInTheFrameOfTheirPose) {
 
 TEST(RibbonExtraction, TheMomentsPlaneIsTheRibbons) {
   for (const Ribbon& ribbon : ribbons_of(precise_lines(room(), tilting(0.8)))) {
-    EXPECT_GT(std::abs(fit_plane(ribbon.spread.transformed(Pose::Identity()))
+    EXPECT_GT(std::abs(fit_plane(ribbon.moments.transformed(Pose::Identity()))
                            .normal()
                            .dot(ribbon.normal.cast<double>())),
               0.999);
-    EXPECT_NEAR(ribbon.last_beam - ribbon.first_beam + 1.0, ribbon.spread.weight(), 1e-9);
+    EXPECT_NEAR(ribbon.last_beam - ribbon.first_beam + 1.0, ribbon.moments.weight(), 1e-9);
   }
 }
 
-TEST(RibbonExtraction, RibbonsAndStrayPointsAreAllReturnsOnce) {
-  const LineBuffer buffer = precise_lines(room(), {around_the_middle, to_and_fro, no_drift}, 1.7);
+TEST(RibbonExtraction, RibbonsAndUnassignedPointsAreAllReturnsOnce) {
+  const LineTriple lines = precise_lines(room(), {around_the_middle, to_and_fro, no_drift}, 1.7);
   RibbonExtraction extraction(precise(), {});
-  PointStore store;
+  const LineObservations& line = extraction.extract(lines);
   double points = 0.0;
-  for (const Ribbon& ribbon : extraction.extract(buffer, store)) {
+  for (const Ribbon& ribbon : line.ribbons) {
     double samples = 0.0;
     ribbon.samples.for_each([&](float, float, std::uint32_t count) { samples += count; });
-    EXPECT_EQ(ribbon.spread.weight(), samples);
+    EXPECT_EQ(ribbon.moments.weight(), samples);
     points += samples;
   }
-  for (const PackedPoint& point : extraction.unassigned(buffer, store)) points += point.count;
-  EXPECT_EQ(buffer.middle().moments(0, 361).weight(), points);
+  for (const PackedPoint& point : line.unassigned) points += point.count;
+  EXPECT_EQ(lines.middle.moments(0, 361).weight(), points);
 }
 
 /// A table in the corner of two walls, looked at from above and far away.
@@ -112,11 +115,11 @@ World table_in_a_corner() {
 double highest_over_the_table_m(const ScanConfig& scan) {
   double sum_m = 0.0;
   int ribbons = 0;
-  PointStore store;
   for (unsigned i = 0; i < 12; ++i) {
-    const LineBuffer buffer = three_lines(table_in_a_corner(), tilting(0.3, 0.1 + 0.002 * i), 0.0,
-                                          {721, 0.01, 3 + i}, scan);
-    for (const Ribbon& source : RibbonExtraction(scan, {}).extract(buffer, store)) {
+    const LineTriple lines = three_lines(table_in_a_corner(), tilting(0.3, 0.1 + 0.002 * i), 0.0,
+                                         {721, 0.01, 3 + i}, scan);
+    RibbonExtraction extraction(scan, {});
+    for (const Ribbon& source : extraction.extract(lines).ribbons) {
       const PosedRibbon ribbon(source, Pose::Identity());
       if (ribbon.normal.z() < 0.97 || std::abs(ribbon.centroid.z() - 0.75) > 0.05) continue;
       double highest_m = 0.0;
@@ -143,7 +146,7 @@ TEST(RibbonExtraction, FarRibbonsHaveTheirAreaCapped) {
   const auto ribbons = ribbons_of(precise_lines(far, tilting(0.8)));
   ASSERT_FALSE(ribbons.empty());
   for (const Ribbon& ribbon : ribbons) {
-    EXPECT_NEAR(RibbonConfig{}.area_cap_m2 * ribbon.spread.weight(), ribbon.area_m2, 1e-6);
+    EXPECT_NEAR(RibbonConfig{}.area_cap_m2 * ribbon.moments.weight(), ribbon.area_m2, 1e-6);
   }
 }
 
@@ -155,9 +158,9 @@ World stepped_wall() {
 
 TEST(RibbonExtraction, FacesOfOneDirectionAreSplitByDistance) {
   const World world = stepped_wall();
-  const LineBuffer buffer = precise_lines(world, tilting(0.8));
-  ASSERT_GT(buffer.middle().end_of_segment[175], 190u);  // one segment for both
-  const auto ribbons = ribbons_of(buffer);
+  const LineTriple lines = precise_lines(world, tilting(0.8));
+  ASSERT_GT(lines.middle.end_of_segment[175], 190u);  // one segment for both
+  const auto ribbons = ribbons_of(lines);
   ASSERT_EQ(2u, ribbons.size());
   EXPECT_EQ(&world[0], face_of(world, ribbons[0], Pose::Identity()));
   EXPECT_EQ(&world[1], face_of(world, ribbons[1], Pose::Identity()));
@@ -165,7 +168,7 @@ TEST(RibbonExtraction, FacesOfOneDirectionAreSplitByDistance) {
   EXPECT_NEAR(180.0, ribbons[1].first_beam, 2.0);
   RibbonConfig undivided;
   undivided.distance_gap_m = 10.0;
-  EXPECT_NE(2u, ribbons_of(buffer, undivided).size());
+  EXPECT_NE(2u, ribbons_of(lines, undivided).size());
 }
 
 /// Number of ribbons that lie on neither face while the lines sweep over the edge of a floor.
@@ -175,8 +178,8 @@ int bevels(const RibbonConfig& config) {
                     plane(Eigen::Vector3d::UnitZ(), 0.0, -corner, corner)};
   int count = 0;
   for (double tilt_rad = 0.35; tilt_rad < 0.41; tilt_rad += 0.00025) {
-    const LineBuffer buffer = precise_lines(world, tilting(0.8, tilt_rad));
-    for (const Ribbon& ribbon : ribbons_of(buffer, config)) {
+    const LineTriple lines = precise_lines(world, tilting(0.8, tilt_rad));
+    for (const Ribbon& ribbon : ribbons_of(lines, config)) {
       count += face_of(world, ribbon, Pose::Identity(), 12.0) == nullptr;
     }
   }
@@ -185,32 +188,29 @@ int bevels(const RibbonConfig& config) {
 
 TEST(RibbonExtraction, LinesThatStraddleAnEdgeMakeNoBevel) {
   RibbonConfig tolerant;  // what is below the noise is left to the map: see bevel_test.cpp
-  tolerant.spurious_sigmas = 100.0;
-  tolerant.spurious_slack_m = 1.0;
+  tolerant.edge_sigmas = 100.0;
+  tolerant.edge_slack_m = 1.0;
   const int without_check = bevels(tolerant);
   EXPECT_GT(without_check, 8);
   EXPECT_LT(bevels({}), without_check / 4);
 }
 
-/// Mixed pixels at a horizontal edge: each line sees the wall further away.
-LineBuffer veil() {
-  LineBuffer buffer(0.0);
+/// Returns lines with mixed pixels at a horizontal edge: each line sees the wall further away.
+LineTriple mixed_pixels() {
+  std::vector<Line> lines;
   for (int k = 0; k < 3; ++k) {
     const double depth_m = 2.0 + 0.5 * k, tilt_rad = std::atan2(0.02 * k, depth_m);
     const World wall{plane(-Eigen::Vector3d::UnitX(), depth_m)};
-    const Line line = drive(wall, tilting(0.0, tilt_rad), 0.0, 0.02, {361, 0.002, 1}).front();
-    place_beams(line.beams, line.poses, precise(), buffer.incoming());
-    buffer.push();
+    lines.push_back(drive(wall, tilting(0.0, tilt_rad), 0.0, 0.02, {361, 0.002, 1}).front());
   }
-  buffer.advance();
-  return buffer;
+  return placed(lines, precise());
 }
 
-TEST(RibbonExtraction, AVeilAlongTheBeamsIsNoRibbon) {
+TEST(RibbonExtraction, MixedPixelsAlongTheBeamsAreNoRibbon) {
   RibbonConfig tolerant;
   tolerant.min_grazing_angle_deg = 0.0;
-  EXPECT_FALSE(ribbons_of(veil(), tolerant).empty());
-  EXPECT_TRUE(ribbons_of(veil()).empty());
+  EXPECT_FALSE(ribbons_of(mixed_pixels(), tolerant).empty());
+  EXPECT_TRUE(ribbons_of(mixed_pixels()).empty());
 }
 
 TEST(RibbonExtraction, WhatIsTooShortIsNoRibbon) {
@@ -229,13 +229,12 @@ TEST(RibbonExtraction, NoReturnsNoRibbons) {
 }
 
 TEST(RibbonExtraction, KeepsNothingFromLineToLine) {
-  const LineBuffer a = precise_lines(room(), tilting(0.8, 0.2));
-  const LineBuffer b = precise_lines(stepped_wall(), tilting(0.8));
+  const LineTriple a = precise_lines(room(), tilting(0.8, 0.2));
+  const LineTriple b = precise_lines(stepped_wall(), tilting(0.8));
   RibbonExtraction extraction(precise(), {});
-  PointStore store;
-  const std::vector<Ribbon> first = extraction.extract(a, store);
-  extraction.extract(b, store);
-  const std::vector<Ribbon> again = extraction.extract(a, store);
+  const std::vector<Ribbon> first = extraction.extract(a).ribbons;
+  extraction.extract(b);
+  const std::vector<Ribbon> again = extraction.extract(a).ribbons;
   ASSERT_EQ(first.size(), again.size());
   for (std::size_t i = 0; i < first.size(); ++i) {
     EXPECT_EQ(first[i].first_beam, again[i].first_beam);

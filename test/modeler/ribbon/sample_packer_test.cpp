@@ -39,7 +39,7 @@ TEST(SamplePacker, KeepsPlacesToHalfAStepHoweverMany) {
   const auto packed = unpacked(packer.pack());
   ASSERT_EQ(samples.size(), packed.size());
   for (std::size_t i = 0; i < packed.size(); ++i) {
-    EXPECT_NEAR(samples[i].along_m, packed[i].along_m, 0.51 * RibbonSamples::along_step_m);
+    EXPECT_NEAR(samples[i].along_m, packed[i].along_m, 0.51 * RibbonSamples::kAlongStep_m);
     EXPECT_NEAR(samples[i].height_m, packed[i].height_m, 3e-4);
     EXPECT_EQ(samples[i].count, packed[i].count);
   }

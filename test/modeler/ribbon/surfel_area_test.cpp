@@ -12,48 +12,45 @@ namespace {
 
 using namespace mini_world;
 
-/// Three lines at these tilts, all ranges equal.
-LineBuffer lines_at(const std::array<double, 3>& tilts_rad, double range_m = 5.0,
+/// Returns three lines at these tilts, with all ranges equal.
+LineTriple lines_at(const std::array<double, 3>& tilts_rad, double range_m = 5.0,
                     std::size_t count = 721) {
-  LineBuffer buffer(0.0);
   LaserBeams beams;
   beams.angle_min_rad = -M_PI_2;
   beams.angle_increment_rad = M_PI / (count - 1.0);
   beams.range_max_m = 30.0;
   beams.ranges_m.assign(count, static_cast<float>(range_m));
+  std::vector<Line> lines;
   for (const double tilt_rad : tilts_rad) {
     const Pose pose = T_base_laser(tilt_rad);
-    place_beams(beams, {Pose::Identity(), Pose::Identity(), pose, pose, Pose::Identity()}, {},
-                buffer.incoming());
-    buffer.push();
+    lines.push_back({beams, {Pose::Identity(), Pose::Identity(), pose, pose, Pose::Identity()}});
   }
-  buffer.advance();
-  return buffer;
+  return placed(lines);
 }
 
-/// What a beam sweeps on a sphere around the laser: a patch between two tilts and two azimuths.
+/// Returns the area that a beam covers on a sphere around the laser between two tilts and azimuths.
 double patch_m2(double range_m, double tilt_step_rad, double azimuth_rad, double beam_step_rad) {
   return range_m * range_m * tilt_step_rad *
          (std::sin(azimuth_rad + 0.5 * beam_step_rad) -
           std::sin(azimuth_rad - 0.5 * beam_step_rad));
 }
 
-TEST(SurfelArea, IsThatOfThePatchThatTheBeamSweeps) {
+TEST(SurfelArea, IsThatOfThePatchThatTheBeamCovers) {
   const double step_rad = 0.02;
-  const LineBuffer buffer = lines_at({0.3, 0.3 + step_rad, 0.3 + 2.0 * step_rad});
+  const LineTriple lines = lines_at({0.3, 0.3 + step_rad, 0.3 + 2.0 * step_rad});
   for (std::size_t beam = 1; beam < 720; ++beam) {
     const double azimuth = -M_PI_2 + beam * M_PI / 720.0;
     const double expected = patch_m2(5.0, step_rad, azimuth, M_PI / 720.0);
-    EXPECT_NEAR(expected, surfel_area_m2(buffer, beam), 1e-3 * expected) << "beam " << beam;
+    EXPECT_NEAR(expected, surfel_area_m2(lines, beam), 1e-3 * expected) << "beam " << beam;
   }
 }
 
 TEST(SurfelArea, VanishesAtTheTiltAxis) {
-  const LineBuffer buffer = lines_at({0.30, 0.32, 0.34});
-  const double ahead_m2 = surfel_area_m2(buffer, 360);
-  EXPECT_LT(surfel_area_m2(buffer, 0), 1e-6 * ahead_m2);
-  EXPECT_LT(surfel_area_m2(buffer, 720), 1e-6 * ahead_m2);
-  EXPECT_NEAR(0.5 * ahead_m2, surfel_area_m2(buffer, 120), 1e-3 * ahead_m2);  // 60 degrees aside
+  const LineTriple lines = lines_at({0.30, 0.32, 0.34});
+  const double ahead_m2 = surfel_area_m2(lines, 360);
+  EXPECT_LT(surfel_area_m2(lines, 0), 1e-6 * ahead_m2);
+  EXPECT_LT(surfel_area_m2(lines, 720), 1e-6 * ahead_m2);
+  EXPECT_NEAR(0.5 * ahead_m2, surfel_area_m2(lines, 120), 1e-3 * ahead_m2);  // 60 degrees aside
 }
 
 TEST(SurfelArea, GrowsWithTheSquareOfTheRange) {
@@ -75,11 +72,11 @@ TEST(SurfelArea, OfAStandingLaserIsNone) {
 double swept_m2(const std::function<double(double)>& tilt_at_share, int steps) {
   double sum = 0.0;
   for (int k = 0; k <= steps; ++k) {
-    const LineBuffer buffer =
+    const LineTriple lines =
         lines_at({tilt_at_share((k - 1.0) / steps), tilt_at_share(k / static_cast<double>(steps)),
                   tilt_at_share((k + 1.0) / steps)},
                  5.0, 181);
-    for (std::size_t beam = 0; beam < 181; ++beam) sum += surfel_area_m2(buffer, beam);
+    for (std::size_t beam = 0; beam < 181; ++beam) sum += surfel_area_m2(lines, beam);
   }
   return sum;
 }
@@ -95,28 +92,28 @@ TEST(SurfelArea, SurfelsTileWhatWasSweptWhateverTheProfile) {
 
 TEST(EstimateSurfels, FarAreasAreCapped) {
   const World wall{plane(-Eigen::Vector3d::UnitX(), 20.0)};
-  const LineBuffer buffer = three_lines(wall, tilting(0.8));
+  const LineTriple lines = three_lines(wall, tilting(0.8));
   RibbonConfig config;
   std::vector<Surfel> surfels;
-  estimate_surfels(buffer, {}, config, surfels);
+  estimate_surfels(lines, {}, config, surfels);
   ASSERT_FALSE(surfels.empty());
   for (std::size_t i = 0; i + 1 < surfels.size(); ++i) {
     const double stride = surfels[i + 1].beam - surfels[i].beam;
-    EXPECT_GT(surfel_area_m2(buffer, surfels[i].beam), config.area_cap_m2);
+    EXPECT_GT(surfel_area_m2(lines, surfels[i].beam), config.area_cap_m2);
     EXPECT_NEAR(config.area_cap_m2 * stride, surfels[i].area_m2, 1e-12);
   }
 }
 
 TEST(EstimateSurfels, NearAreasAreNot) {
   const World wall{plane(-Eigen::Vector3d::UnitX(), 1.0)};
-  const LineBuffer buffer = three_lines(wall, tilting(0.8));
+  const LineTriple lines = three_lines(wall, tilting(0.8));
   std::vector<Surfel> surfels;
-  estimate_surfels(buffer, {}, {}, surfels);
+  estimate_surfels(lines, {}, {}, surfels);
   double sum = 0.0, all = 0.0;
   for (const Surfel& surfel : surfels) sum += surfel.area_m2;
   for (std::size_t i = 2; i < 359; ++i) {
-    if (buffer.middle().ranges_m[i] < 2.0F && buffer.middle().has_return(i)) {
-      all += surfel_area_m2(buffer, i);
+    if (lines.middle.ranges_m[i] < 2.0F && lines.middle.has_return(i)) {
+      all += surfel_area_m2(lines, i);
     }
   }
   EXPECT_GT(sum, 0.9 * all);  // one surfel stands for the beams that it skips

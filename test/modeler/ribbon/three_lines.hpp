@@ -2,28 +2,40 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "modeler/scan/line_buffer.hpp"
+#include <vector>
+
+#include "modeler/scan/three_lines.hpp"
 #include "test/modeler/mini_world.hpp"
 
 namespace ribbon_mapper::mini_world {
 
-/// A robot that stands at the origin (or somewhere else) while its laser tilts at a constant speed.
+/// Returns the motion of a robot that stands while its laser tilts at a constant speed.
 inline Motion tilting(double tilt_speed_rad_s, double tilt_rad = 0.0,
                       const Pose& T_map_base = Pose::Identity()) {
   return {[=](double) { return T_map_base; },
           [=](double time_s) { return tilt_rad + tilt_speed_rad_s * time_s; }, no_drift};
 }
 
-/// A full buffer of three lines whose middle one begins at `middle_s`.
-inline LineBuffer three_lines(const World& world, const Motion& motion, double middle_s = 0.0,
+/// Three scan lines, which ThreeLines refers to.
+struct LineTriple {
+  ScanLine previous, middle, next;
+
+  operator ThreeLines() const { return {previous, middle, next}; }
+};
+
+/// Places the beams of three lines.
+inline LineTriple placed(const std::vector<Line>& lines, const ScanConfig& config = {}) {
+  LineTriple triple;
+  place_beams(lines.at(0).beams, lines.at(0).poses, config, triple.previous);
+  place_beams(lines.at(1).beams, lines.at(1).poses, config, triple.middle);
+  place_beams(lines.at(2).beams, lines.at(2).poses, config, triple.next);
+  return triple;
+}
+
+/// Returns three successive lines, of which the middle one begins at `middle_s`.
+inline LineTriple three_lines(const World& world, const Motion& motion, double middle_s = 0.0,
                               const Laser& laser = {}, const ScanConfig& config = {}) {
-  LineBuffer buffer(0.0);
-  for (const Line& line : drive(world, motion, middle_s - 0.025, middle_s + 0.026, laser)) {
-    place_beams(line.beams, line.poses, config, buffer.incoming());
-    buffer.push();
-  }
-  buffer.advance();
-  return buffer;
+  return placed(drive(world, motion, middle_s - 0.025, middle_s + 0.026, laser), config);
 }
 
 }  // namespace ribbon_mapper::mini_world

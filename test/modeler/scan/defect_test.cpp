@@ -25,18 +25,18 @@ LaserBeams good_beams() {
 }
 
 TEST(DefectOf, NoneInGoodLines) {
-  EXPECT_FALSE(defect_of(good_beams(), {}));
+  EXPECT_FALSE(find_defect(good_beams(), {}));
   LaserBeams beams = good_beams();
   beams.angle_increment_rad *= -1.0;  // clockwise
-  EXPECT_FALSE(defect_of(beams, {}));
+  EXPECT_FALSE(find_defect(beams, {}));
   beams = good_beams();
   beams.range_max_m = inf;
-  EXPECT_FALSE(defect_of(beams, {}));
+  EXPECT_FALSE(find_defect(beams, {}));
   beams.ranges_m.clear();  // no returns, but nothing wrong
-  EXPECT_FALSE(defect_of(beams, {}));
+  EXPECT_FALSE(find_defect(beams, {}));
   beams = good_beams();
   beams.time_increment_s = 0.0;  // all at once
-  EXPECT_FALSE(defect_of(beams, {}));
+  EXPECT_FALSE(find_defect(beams, {}));
 }
 
 TEST(DefectOf, EachBadFieldOfTheBeams) {
@@ -56,7 +56,7 @@ TEST(DefectOf, EachBadFieldOfTheBeams) {
   for (std::size_t i = 0; i < defects.size(); ++i) {
     LaserBeams beams = good_beams();
     defects[i](beams);
-    EXPECT_TRUE(defect_of(beams, {})) << "defect " << i;
+    EXPECT_TRUE(find_defect(beams, {})) << "defect " << i;
   }
 }
 
@@ -66,10 +66,10 @@ TEST(DefectOf, EachBadPose) {
         &LinePoses::T_base_laser_last, &LinePoses::T_map_base}) {
     LinePoses poses;
     (poses.*pose).translation().x() = nan_;
-    EXPECT_TRUE(defect_of(good_beams(), poses));
+    EXPECT_TRUE(find_defect(good_beams(), poses));
     poses = {};
     (poses.*pose).linear().setZero();  // a quaternion of zeros
-    EXPECT_TRUE(defect_of(good_beams(), poses));
+    EXPECT_TRUE(find_defect(good_beams(), poses));
   }
 }
 

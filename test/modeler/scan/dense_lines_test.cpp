@@ -48,10 +48,10 @@ ModelerConfig config() {
 
 TEST(LineAverager, TheMeanHasLessNoise) {
   std::mt19937 random(1);
-  LineAverager pool(config().scan);
-  for (int i = 0; i < 9; ++i) pool.add(wall_line(i, 0.1, random), poses_at(0.1));
+  LineAverager averager(config().scan);
+  for (int i = 0; i < 9; ++i) averager.add(wall_line(i, 0.1, random), poses_at(0.1));
   double square = 0.0;
-  const LaserBeams& mean = pool.beams();
+  const LaserBeams& mean = averager.average_beams();
   for (std::size_t i = 0; i < mean.ranges_m.size(); ++i) {
     const double angle = mean.angle_min_rad + i * mean.angle_increment_rad;
     const double error = mean.ranges_m[i] - kWall_m / (std::cos(0.1) * std::cos(angle));
@@ -63,22 +63,24 @@ TEST(LineAverager, TheMeanHasLessNoise) {
 
 TEST(LineAverager, LiesWhereItsLinesLieOnAverage) {
   std::mt19937 random(1);
-  LineAverager pool(config().scan);
-  for (const double tilt : {0.10, 0.11, 0.12}) pool.add(wall_line(0, tilt, random), poses_at(tilt));
-  EXPECT_NEAR(angle_of(pool.poses().T_base_laser_first), 0.11, 1e-6);
+  LineAverager averager(config().scan);
+  for (const double tilt : {0.10, 0.11, 0.12})
+    averager.add(wall_line(0, tilt, random), poses_at(tilt));
+  EXPECT_NEAR(angle_of(averager.mean_poses().T_base_laser_first), 0.11, 1e-6);
 }
 
 TEST(LineAverager, BeamsWhoseReturnsDisagreeAreNone) {
   std::mt19937 random(1);
-  LineAverager pool(config().scan);
+  LineAverager averager(config().scan);
   for (int i = 0; i < 4; ++i) {
     LaserBeams beams = wall_line(i, 0.1, random);
     beams.ranges_m[50] = i % 2 ? 1.0F : 3.0F;  // an edge
     if (i > 0) beams.ranges_m[60] = std::numeric_limits<float>::infinity();
-    pool.add(beams, poses_at(0.1));
+    averager.add(beams, poses_at(0.1));
   }
-  EXPECT_TRUE(std::isinf(pool.beams().ranges_m[50]));
-  EXPECT_TRUE(std::isfinite(pool.beams().ranges_m[60])) << "no return says nothing against one";
+  EXPECT_TRUE(std::isinf(averager.average_beams().ranges_m[50]));
+  EXPECT_TRUE(std::isfinite(averager.average_beams().ranges_m[60]))
+      << "no return says nothing against one";
 }
 
 /// Lines 0.07 degrees apart, 2.4 mm on the wall: a quarter of the noise.
@@ -109,7 +111,7 @@ TEST(DenseLines, ATiltThatStandsStillAddsNothing) {
   EXPECT_EQ(modeler.statistics().ribbons, 0u);
 }
 
-/// Noise alone moves lines by nothing, but stamps must go forward within a pool, too.
+/// Noise alone moves lines by nothing, but stamps must go forward within a averager, too.
 TEST(DenseLines, StampsThatGoBackWithinAPoolAreTold) {
   std::mt19937 random(1);
   Modeler modeler(config());

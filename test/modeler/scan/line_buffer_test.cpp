@@ -40,12 +40,13 @@ TEST(LineBuffer, GivesEachLineTheOnesNextToIt) {
   for (int second = 1; second <= 60; ++second) {
     push(buffer, second);
     EXPECT_EQ(second, seconds_of(*buffer.newest_line()));
-    ASSERT_EQ(second >= 3, buffer.advance());
-    if (second < 3) continue;
-    EXPECT_EQ(second - 2, seconds_of(buffer.previous()));
-    EXPECT_EQ(second - 1, seconds_of(buffer.middle()));
-    EXPECT_EQ(second, seconds_of(buffer.next()));
-    EXPECT_FALSE(buffer.advance()) << "each line is the middle once";
+    const auto lines = buffer.next_three_lines();
+    ASSERT_EQ(second >= 3, lines.has_value());
+    if (!lines) continue;
+    EXPECT_EQ(second - 2, seconds_of(lines->previous));
+    EXPECT_EQ(second - 1, seconds_of(lines->middle));
+    EXPECT_EQ(second, seconds_of(lines->next));
+    EXPECT_FALSE(buffer.next_three_lines()) << "each line is the middle line once";
   }
 }
 
@@ -55,34 +56,36 @@ TEST(LineBuffer, GoesFurtherWhereLinesAreDense) {
   LineBuffer buffer(2.5 * step_m);
   for (int second = 1; second <= 60; ++second) {
     push(buffer, second);
-    ASSERT_EQ(second >= 7, buffer.advance());
-    if (second < 7) continue;
-    EXPECT_EQ(second - 6, seconds_of(buffer.previous()));
-    EXPECT_EQ(second - 3, seconds_of(buffer.middle()));
-    EXPECT_EQ(second, seconds_of(buffer.next()));
+    const auto lines = buffer.next_three_lines();
+    ASSERT_EQ(second >= 7, lines.has_value());
+    if (!lines) continue;
+    EXPECT_EQ(second - 6, seconds_of(lines->previous));
+    EXPECT_EQ(second - 3, seconds_of(lines->middle));
+    EXPECT_EQ(second, seconds_of(lines->next));
   }
 }
 
 TEST(LineBuffer, ALineThatIsNotPushedLeavesNoTrace) {
   LineBuffer buffer(0.0);
   for (int second = 1; second <= 3; ++second) push(buffer, second);
-  ASSERT_TRUE(buffer.advance());
+  const auto lines = buffer.next_three_lines();
+  ASSERT_TRUE(lines);
   buffer.incoming() = line_at(Pose::Identity(), 0.3, 9.0, 50);
-  EXPECT_EQ(1, seconds_of(buffer.previous()));
-  EXPECT_EQ(3, seconds_of(buffer.next()));
+  EXPECT_EQ(1, seconds_of(lines->previous));
+  EXPECT_EQ(3, seconds_of(lines->next));
 }
 
 TEST(LineBuffer, StartsAfreshWithLinesOfAnotherLength) {
   LineBuffer buffer(0.0);
   for (int second = 1; second <= 3; ++second) push(buffer, second);
   push(buffer, 4, 91);
-  EXPECT_FALSE(buffer.advance());
+  EXPECT_FALSE(buffer.next_three_lines());
   push(buffer, 5, 91);
-  EXPECT_FALSE(buffer.advance());
+  EXPECT_FALSE(buffer.next_three_lines());
   push(buffer, 6, 91);
-  EXPECT_TRUE(buffer.advance());
+  EXPECT_TRUE(buffer.next_three_lines());
   buffer.clear();
-  EXPECT_FALSE(buffer.advance());
+  EXPECT_FALSE(buffer.next_three_lines());
   EXPECT_EQ(nullptr, buffer.newest_line());
 }
 

@@ -1,0 +1,12 @@
+# How tests are added.
+include_guard(GLOBAL)
+
+# ribbon_mapper_test(name SOURCES a.cpp ... LIBRARIES lib ...): one gtest binary, one ctest entry.
+function(ribbon_mapper_test name)
+  cmake_parse_arguments(TEST "" "" "SOURCES;LIBRARIES" ${ARGN})
+  add_executable(${name} ${TEST_SOURCES})
+  target_link_libraries(${name} PRIVATE ${TEST_LIBRARIES} ribbon_mapper_options
+    GTest::gtest GTest::gmock GTest::gtest_main)
+  target_compile_definitions(${name} PRIVATE PROJECT_DIR="${RIBBON_MAPPER_ROOT}")
+  add_test(NAME ${name} COMMAND ${name})
+endfunction()

@@ -1,0 +1,23 @@
+// SPDX-FileCopyrightText: 2026 ribbon_mapper authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "eval/experiment/scan_conversion.hpp"
+
+namespace ribbon_mapper::eval {
+
+LaserBeams beams_of(const sim::Scan& scan) {
+  return {scan.stamp,
+          scan.angle_min_rad,
+          scan.angle_increment_rad,
+          scan.time_increment_s,
+          scan.range_min_m,
+          scan.range_max_m,
+          scan.ranges_m};
+}
+
+LinePoses noisy_poses(const sim::Tour& tour, const LaserBeams& beams) {
+  const Time first = beams.stamp, last = end_of(beams);
+  return {tour.T_odom_base(first), tour.T_odom_base(last), tour.T_base_laser(first),
+          tour.T_base_laser(last), tour.noisy_T_map_base(middle_of(beams))};
+}
+
+}  // namespace ribbon_mapper::eval

@@ -1,0 +1,16 @@
+// SPDX-FileCopyrightText: 2026 ribbon_mapper authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "modeler/scan/laser_beams.hpp"
+#include "sim/tour/tour.hpp"
+
+namespace ribbon_mapper::eval {
+
+/// Converts a simulated scan to the modeler's input.
+LaserBeams beams_of(const sim::Scan& scan);
+
+/// Returns the poses that tf would give for a scan, including the errors of the localisation.
+LinePoses noisy_poses(const sim::Tour& tour, const LaserBeams& beams);
+
+}  // namespace ribbon_mapper::eval

@@ -1,0 +1,50 @@
+// SPDX-FileCopyrightText: 2026 ribbon_mapper authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <optional>
+
+#include "modeler/scan/laser_beams.hpp"
+#include "modeler/scan/line_averaging.hpp"
+#include "modeler/scan/line_buffer.hpp"
+#include "modeler/scan/scan_config.hpp"
+
+namespace ribbon_mapper {
+
+/// What became of a scan line.
+enum class LineResult {
+  modelled,      ///< it entered the buffer; ribbons of an earlier line may now be in the model
+  too_close,     ///< it has hardly moved since the line before it and would only add noise
+  no_returns,    ///< not a single range is valid
+  malformed,     ///< it has the wrong length, or angles, times or poses that are not finite
+  out_of_order,  ///< its stamp is not later than that of the line before it
+};
+
+/// Returns the result as words for logs, for example "too close".
+const char* to_string(LineResult result);
+
+/// The preprocessing of section 4.1 of the paper: places the beams of each line and pairs lines for
+/// the estimation of normals.
+class ScanFrontEnd {
+ public:
+  /// Creates a front end without lines. `config` must be valid.
+  explicit ScanFrontEnd(const ScanConfig& config);
+
+  /// Adds a line and returns what became of it. Only a modelled line changes next_three_lines().
+  LineResult add(const LaserBeams& beams, const LinePoses& poses);
+
+  /// Returns the next line that has a neighbour on either side, or nothing if there is none yet.
+  /// The lines stay valid until the next call of add().
+  std::optional<ThreeLines> next_three_lines() { return buffer_.next_three_lines(); }
+
+ private:
+  bool is_in_order(const ScanLine& line) const;
+  bool has_moved(const ScanLine& line) const;
+  bool replace_by_average(ScanLine& line, const LaserBeams& beams, const LinePoses& poses);
+
+  ScanConfig config_;
+  LineBuffer buffer_;
+  LineAverager averager_;  // the lines since the newest one in the buffer
+};
+
+}  // namespace ribbon_mapper
