@@ -79,7 +79,7 @@ int main(int argc, char** argv) {
   ros::NodeHandle node;  // out here: logging ends with the last one
   try {
     const SimulatorParameters parameters = SimulatorParameters::read();
-    const World world = World::load(parameters.world, parameters.model_paths);
+    const World world = World::load(parameters.world, parameters.model_paths, parameters.caster);
     Tour tour(world, Route::load(parameters.route), parameters.tour);
     TourPublisher publisher(node, world, tour, parameters.frames);
     // Connections are made by callbacks; latched messages go out with them.

@@ -17,7 +17,7 @@ using namespace ribbon_mapper;
 
 struct Options {
   std::string world, route, bag, truth;
-  std::string tilt = "manip";
+  std::string tilt = "manip", caster = "bullet";
   double keyframe_step_m = 0.0;
   sim::TourConfig tour;
   sim::RecorderOptions recorder;
@@ -38,6 +38,8 @@ void add_options(CLI::App& app, Options& options) {
   app.add_option("--seconds", options.recorder.longest_s, "length of the recording, from the start")
       ->check(CLI::Range(0.0, 1e6));
   app.add_option("--tilt", options.tilt, "manip, nav or slow")->capture_default_str();
+  app.add_option("--caster", options.caster, "library that casts the rays: bullet or embree")
+      ->capture_default_str();
   app.add_option("--stamp-error", options.recorder.stamp_error_s, "of the laser's driver [s]")
       ->check(CLI::Range(-1.0, 1.0))
       ->capture_default_str();
@@ -45,7 +47,8 @@ void add_options(CLI::App& app, Options& options) {
 
 void run(Options& options) {
   options.tour.tilt = sim::TiltProfileConfig::preset(options.tilt);
-  const sim::World world = sim::World::load(options.world, {});
+  const sim::World world =
+      sim::World::load(options.world, {}, sim::ray_caster_kind_from(options.caster));
   sim::Tour tour(world, sim::Route::load(options.route), options.tour);
   std::vector<StampedPose> truth = sim::record_tour(tour, options.recorder, options.bag);
   std::printf("%zu lines in %s\n", truth.size(), options.bag.c_str());

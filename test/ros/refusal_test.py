@@ -64,6 +64,7 @@ class Refusal(unittest.TestCase):
         self.refuse('pr2_simulator', ROOM + ['_rate:=0'], '/rate', '0.01 to 100')
         self.refuse('pr2_simulator', ROOM + ['_seed:=1.5'], '/seed', 'whole number')
         self.refuse('pr2_simulator', ROOM + ['_noise:=loud'], 'loud', 'datasheet')
+        self.refuse('pr2_simulator', ROOM + ['_caster:=ode'], 'ode', 'embree')
         self.refuse('pr2_simulator', ROOM + ['_tilt_profile:=wild'], 'wild', 'manip')
 
     def test_bad_worlds_and_routes(self):
