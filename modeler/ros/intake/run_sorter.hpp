@@ -30,7 +30,9 @@ class RunSorter {
       if (has_restarted_ && stamp.toSec() > ros::Time::now().toSec() + kMinTimeJump_s) {
         return Run::previous;
       }
-    } else if (stamp.toSec() + kMinTimeJump_s < newest_.toSec()) {
+    } else if (stamp.toSec() + kMinTimeJump_s < newest_.toSec() ||
+               (next_has_begun_ && stamp <= newest_)) {
+      next_has_begun_ = true;
       return Run::next;
     }
     if (stamp > newest_) newest_ = stamp;
@@ -41,11 +43,12 @@ class RunSorter {
   void restart() {
     newest_ = ros::Time();
     has_restarted_ = true;
+    next_has_begun_ = false;
   }
 
  private:
   ros::Time newest_;  ///< of the current run; zero before its first message
-  bool has_restarted_ = false;
+  bool has_restarted_ = false, next_has_begun_ = false;
 };
 
 }  // namespace ribbon_mapper
