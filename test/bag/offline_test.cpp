@@ -173,8 +173,8 @@ TEST(RealRecordings, Room240) {
             4);
   EXPECT_LT(*found.summary.residual_m_median, 0.02);
   EXPECT_EQ(found.summary.duplicates, 0u);
-  for (const Plane& plane :
-       found.planes_after) {  // the laser tilts about y: true normals have no y
+  // The laser tilts about y: the normals of true planes have hardly any y.
+  for (const Plane& plane : found.planes_after) {
     const Eigen::Vector3d n = plane.normal.cwiseAbs();
     const bool is_of_a_line = n.y() < 0.1 && n.x() > 0.2 && n.z() > 0.45;
     EXPECT_FALSE(is_of_a_line) << plane.normal.transpose();

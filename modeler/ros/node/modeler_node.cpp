@@ -65,6 +65,7 @@ class ModelerNode {
   bool on_get_model(GetModel::Request& request, GetModel::Response& response);
   void check_clock();
   void on_time_jump();
+  void empty_model();
   void take_lines();
   void report();
   void warn_of_drops();
@@ -141,7 +142,7 @@ void ModelerNode::on_corrected_trajectory(const nav_msgs::Path& path) {
 
 bool ModelerNode::on_reset(std_srvs::Trigger::Request&, std_srvs::Trigger::Response& response) {
   intake_.restart("reset");
-  keeper_.reset();
+  empty_model();
   stopped_ = false;
   response.success = true;
   response.message = "the model is empty";
@@ -168,10 +169,15 @@ void ModelerNode::check_clock() {
 void ModelerNode::on_time_jump() {
   tf_.start_next_run();
   intake_.start_next_run("the clock was set back");
-  if (parameters_.on_time_jump == OnTimeJump::reset) keeper_.reset();
+  if (parameters_.on_time_jump == OnTimeJump::reset) empty_model();
   stopped_ = parameters_.on_time_jump == OnTimeJump::stop;
   if (stopped_) intake_.restart(kStopped);
   ROS_WARN("Simulated time went back: %s", what_happens_on(parameters_.on_time_jump));
+}
+
+void ModelerNode::empty_model() {
+  keeper_.reset();
+  reported_lines_ = reported_drops_ = 0;
 }
 
 void ModelerNode::report() {
@@ -193,7 +199,7 @@ void ModelerNode::warn_of_drops() {
   const LineLog& log = keeper_.log();
   const std::size_t dropped = log.dropped_lines();
   const std::size_t before = std::exchange(reported_drops_, dropped);
-  if (dropped == 0 || dropped == before) return;
+  if (dropped == before) return;
   ROS_WARN("A line is dropped: %s. %zu dropped so far.", log.newest_drop().c_str(), dropped);
 }
 
