@@ -47,6 +47,7 @@ sensor_msgs::LaserScan scan(double stamp_s) {
 class TimeJump : public testing::Test {
  protected:
   TimeJump() {
+    ros::Time::init();
     tf2_msgs::TFMessage fixed;
     fixed.transforms.push_back(transform("base_footprint", "laser", 0.0));
     tf_.add(fixed, true);
