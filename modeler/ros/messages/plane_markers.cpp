@@ -11,7 +11,8 @@
 namespace ribbon_mapper {
 namespace {
 
-/// White shows only where the model has moved: where it has not, the colour lies before it.
+/// White planes lie this far behind coloured ones, so that they show only where the model has
+/// moved.
 constexpr double kWhiteBehind_m = 0.02;
 
 visualization_msgs::Marker triangles(const std_msgs::Header& header, const std::string& ns,
@@ -26,8 +27,9 @@ visualization_msgs::Marker triangles(const std_msgs::Header& header, const std::
   return marker;
 }
 
-/// Both sides alike, brighter the more a surface looks up or along one diagonal. rviz itself leaves
-/// whatever looks away from its lamp black; with a colour for each triangle it uses no lamp.
+/// Returns the colour of a surface, brighter the more it faces up or one diagonal; both sides
+/// alike. rviz applies no light of its own to triangles with colours; it would leave back sides
+/// black.
 std_msgs::ColorRGBA shaded(const Colour& colour, const Eigen::Vector3d& normal) {
   const double shade = 0.66 + 0.34 * std::abs(normal.dot(Eigen::Vector3d(0.3, 0.6, 0.74)));
   std_msgs::ColorRGBA message;
@@ -38,7 +40,7 @@ std_msgs::ColorRGBA shaded(const Colour& colour, const Eigen::Vector3d& normal) 
   return message;
 }
 
-/// `behind_m`: how far behind its front the surface is drawn.
+/// Adds the surface of a plane to a marker, drawn `behind_m` behind its front.
 void add_surface(const Plane& plane, double stripe_gap_m, const Colour& colour, double behind_m,
                  visualization_msgs::Marker& marker) {
   const std_msgs::ColorRGBA shade = shaded(colour, plane.normal);

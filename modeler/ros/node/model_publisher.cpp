@@ -11,7 +11,7 @@ namespace ribbon_mapper {
 
 ModelPublisher::ModelPublisher(ros::NodeHandle& private_node, std::string map_frame)
     : map_frame_(std::move(map_frame)) {
-  // A new listener gets all with the next call; what is latched may be as old as the last listener.
+  // A new subscriber gets everything with the next call: a latched message may be outdated.
   const ros::SubscriberStatusCallback greet = [this](const ros::SingleSubscriberPublisher&) {
     all_again_ = true;
   };
@@ -19,7 +19,7 @@ ModelPublisher::ModelPublisher(ros::NodeHandle& private_node, std::string map_fr
     return private_node.advertise<decltype(message)>(topic, 2, greet, {}, {}, latch);
   };
   planes_ = advertise(PlaneArray(), "planes", true);
-  // Not latched: the last message holds the last changes only.
+  // Not latched: the last message has only the last changes.
   markers_ = advertise(visualization_msgs::MarkerArray(), "markers", false);
   markers_before_ = advertise(visualization_msgs::MarkerArray(), "markers_before", true);
   cloud_ = advertise(sensor_msgs::PointCloud2(), "cloud", true);

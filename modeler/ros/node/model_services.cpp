@@ -12,11 +12,11 @@ namespace {
 
 std::vector<Plane> planes_asked_for(const GetModel::Request& request, ModelKeeper& keeper) {
   if (request.which == GetModel::Request::BEFORE_CORRECTION)
-    return request.merged ? keeper.before().planes : keeper.before().planes;
-  return request.merged ? keeper.planes() : keeper.modeler().planes_as_built();
+    return request.as_built ? keeper.before().planes_as_built : keeper.before().planes;
+  return request.as_built ? keeper.modeler().planes_as_built() : keeper.planes();
 }
 
-/// Empty: nothing is wrong with the request.
+/// Returns what is wrong with the request; empty if nothing is.
 std::string find_defect(const GetModel::Request& request, std::size_t revision) {
   if (request.which > GetModel::Request::BEFORE_CORRECTION)
     return "which must be CURRENT (0) or BEFORE_CORRECTION (1)";

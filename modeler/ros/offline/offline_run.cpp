@@ -46,7 +46,7 @@ void require_lines(const ModelKeeper& keeper) {
   throw std::runtime_error(why + "\n`bag_check` says more");
 }
 
-/// Then no localisation can be wrong from line to line.
+/// Returns whether the base stands still: the localisation then cannot drift from line to line.
 bool stands_still(const std::vector<StampedPose>& trajectory) {
   const Pose T_first_map = trajectory.front().T_map_base.inverse(Eigen::Isometry);
   return std::all_of(trajectory.begin(), trajectory.end(), [&](const StampedPose& pose) {
@@ -55,7 +55,8 @@ bool stands_still(const std::vector<StampedPose>& trajectory) {
   });
 }
 
-/// The final poses, if they are known to agree all along the way; says where they are from.
+/// Returns the final poses, or nothing if the recorded ones are only those of a SLAM on the way.
+/// Writes where they are from to `origin`.
 std::vector<StampedPose> final_poses(const OfflineOptions& options, const Modeler& modeler,
                                      std::string& origin) {
   if (!options.trajectory.empty()) {
