@@ -181,10 +181,12 @@ class _Reader:
     def _other(self, begin, first, head, words, public):
         forward = first in {"class", "struct", "union", "enum"} and len(words) <= 3
         imported = first == "using" and "=" not in head
-        if public and head and not forward and not imported and (
-                first not in {"friend", "static_assert", "typedef", "}"}) and "template" != head[-1]:
+        macro = len(head) == 1  # ROS_DECLARE_ALLINONE_SERIALIZER;
+        silent = forward or imported or macro or first in {"friend", "static_assert", "typedef"}
+        if public and head and not silent and "template" != head[-1]:
             kind = "alias" if first == "using" else "data"
-            names = [word for word in _before(_before(head, "="), "{}") if re.match(r"[A-Za-z_]\w*$", word)]
+            names = [word for word in _before(_before(head, "="), "{}")
+                     if re.match(r"[A-Za-z_]\w*$", word)]
             name = words[1] if first == "using" else (names[-1] if names else "?")
             self._declare(kind, name, begin, self.at)
         self._end_statement()

@@ -20,7 +20,7 @@ BARS = [
     ('correction_growth_exponent_to_three_million', None, False),
     ('correction_tenth_over_all', 0.2, False),
     ('memory_vs_octomap', 0.1, False), ('memory_vs_raw', 1, False),
-    ('rays_vs_raytest', 3, True), ('rays_vs_embree', None, True),
+    ('rays_vs_raytest', None, True), ('rays_embree_vs_bullet', None, True),
     # Ratios of a recorded bag, without bars.
     ('bag_line_per_eigen', None, False), ('bag_normals_vs_pcl', None, True),
     ('bag_planes_vs_best_raw_peer', None, True), ('bag_planes_vs_best_voxel_peer', None, True),

@@ -10,7 +10,7 @@
 
 #include "bench/stopwatch.hpp"
 #include "modeler/assembly/model_quality.hpp"
-#include "modeler/geometry/moments.hpp"
+#include "modeler/geometry/plane_fit.hpp"
 #include "modeler/surface/footprint.hpp"
 
 namespace ribbon_mapper::bench {

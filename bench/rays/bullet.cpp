@@ -20,7 +20,7 @@ btTransform to_bullet(const Pose& pose) {
                      to_bullet(Eigen::Vector3d(pose.translation())));
 }
 
-/// The world as a user of Bullet sets it up.
+/// The world as Bullet's examples set it up: one collision object for each shape.
 struct Scene {
   btDefaultCollisionConfiguration configuration;
   btCollisionDispatcher dispatcher{&configuration};

@@ -8,20 +8,16 @@
 
 #include "sim/rays/ray_caster.hpp"
 #include "sim/shapes/shape.hpp"
-#include "sim/shapes/tessellation.hpp"
 
 namespace ribbon_mapper::bench {
 
-using sim::Ray;
+using sim::Ray;  ///< the ray of the simulator
 
-/// Ranges of first hits [m], infinite where there is none within `max_range_m`.
+/// Sets the ranges of the first hits [m], infinite for rays without one within `max_range_m`.
 using RayCasting = std::function<void(const std::vector<Ray>& rays, double max_range_m,
                                       std::vector<float>& ranges)>;
 
-/// btCollisionWorld::rayTest, one collision object for each shape.
+/// Returns btCollisionWorld::rayTest in a world with one collision object for each shape.
 RayCasting bullet_ray_test(const std::vector<sim::Shape>& shapes);
-
-/// rtcIntersect1 on the triangles of the simulator.
-RayCasting embree(const std::vector<sim::Triangle>& triangles);
 
 }  // namespace ribbon_mapper::bench

@@ -9,6 +9,7 @@
 #include <sstream>
 #include <stdexcept>
 
+#include "sim/rays/ray_caster.hpp"
 #include "sim/robot/hokuyo.hpp"
 #include "sim/robot/tilt_profile.hpp"
 #include "sim/world/resource_finder.hpp"
@@ -79,6 +80,9 @@ void require_seed(const std::string& text) {
 void add_run_options(CLI::App& app, RunOptions& run) {
   app.add_option("--route", run.route, "route file [<world>.route.yaml, beside the world]");
   app.add_option("--config", run.config, "preset of the modeler")->capture_default_str();
+  app.add_option("--caster", run.caster, "library that casts the laser's rays: bullet or embree")
+      ->check(accepted_by(sim::ray_caster_kind_from))
+      ->capture_default_str();
   app.add_option("--model-path", run.model_paths,
                  "folder for model:// URIs, searched before GAZEBO_MODEL_PATH; may be repeated");
 }

@@ -30,7 +30,8 @@ ModelerConfig modeler_config(const RunOptions& run) {
 sim::World load_world(const RunOptions& run) {
   static std::mutex mutex;
   const std::lock_guard<std::mutex> lock(mutex);
-  return sim::World::load(find_installed_file(run.world).string(), run.model_paths);
+  return sim::World::load(find_installed_file(run.world).string(), run.model_paths,
+                          sim::ray_caster_kind_from(run.caster));
 }
 
 sim::Route load_route(const RunOptions& run) {

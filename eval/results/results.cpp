@@ -81,7 +81,7 @@ void write_results(const Results& results, const std::filesystem::path& director
   write_file_atomically(directory / "trajectory_after.tum", to_tum(results.trajectory_after));
   write_file_atomically(directory / "trajectory_truth.tum", to_tum(results.trajectory_truth));
   write_file_atomically(directory / "figure.json", figure_data(results));
-  save_model(results.models.corrected, directory, "planes_after");
+  save_model(results.models.corrected, directory, "planes_after", SurfaceConfig{}.stripe_gap_m);
 }
 
 }  // namespace ribbon_mapper::eval

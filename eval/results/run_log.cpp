@@ -29,6 +29,7 @@ RunOptions run_of(const Json& json) {
   run.config = json.at("config").get<std::string>();
   run.noise = json.at("noise").get<std::string>();
   run.tilt = json.at("tilt").get<std::string>();
+  run.caster = json.value("caster", run.caster);
   run.beams = optional_of<int>(json.at("beams"));
   run.speed_m_s = optional_of<double>(json.at("speed_m_s"));
   run.deskew = optional_of<bool>(json.at("deskew"));

@@ -122,8 +122,8 @@ nlohmann::ordered_json distribution_json(const std::vector<LoggedRun>& group) {
 nlohmann::ordered_json group_json(const std::vector<LoggedRun>& group) {
   const auto line = nlohmann::ordered_json::parse(group.front().line);
   nlohmann::ordered_json json;
-  for (const char* key :
-       {"world", "route", "config", "noise", "tilt", "beams", "speed_m_s", "deskew", "drift"}) {
+  for (const char* key : {"world", "route", "config", "noise", "tilt", "caster", "beams",
+                          "speed_m_s", "deskew", "drift"}) {
     json[key] = line.at(key);
   }
   json["runs"] = group.size();

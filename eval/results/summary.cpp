@@ -127,6 +127,7 @@ Json to_json(const RunOptions& run) {
           {"config", text_or_null(run.config)},
           {"noise", text_or_null(run.noise)},
           {"tilt", text_or_null(run.tilt)},
+          {"caster", text_or_null(run.caster)},
           {"beams", value_or_null(run.beams)},
           {"speed_m_s", value_or_null(run.speed_m_s)},
           {"deskew", value_or_null(run.deskew)},

@@ -37,7 +37,7 @@ struct NodeParameters {
     run.world = portable_name(p.world).string();
     run.route = portable_name(from.text("route", "")).string();
     run.config = portable_name(from.text("config", "")).string();
-    run.noise = run.tilt = "";  // known to the simulator only
+    run.noise = run.tilt = run.caster = "";  // known to the simulator only
     run.seed = static_cast<std::uint64_t>(from.integer("seed", 0, 0, 2'000'000'000));
     run.drift = from.number("drift", 0.0, 0.0, 1000.0);
     p.summary.command = from.text("command", "");

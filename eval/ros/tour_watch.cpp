@@ -56,6 +56,7 @@ void TourWatch::on_correction(const nav_msgs::Path& path) {
 void TourWatch::look() {
   GetModel request;
   request.request.which = GetModel::Request::CURRENT;
+  request.request.as_built = true;
   if (!get_model_.call(request) || !request.response.success) return;
   const bool is_first_line = state_.lines == 0 && request.response.lines > 0;
   revision_is_new_ = request.response.planes.revision != state_.planes.revision;
@@ -111,11 +112,11 @@ std::string TourWatch::missing() const {
   return "";
 }
 
-GetModel::Response TourWatch::model(bool before_correction, bool is_final, bool with_cells) {
+GetModel::Response TourWatch::model(bool before_correction, bool as_built, bool with_cells) {
   GetModel request;
   request.request.which =
       before_correction ? GetModel::Request::BEFORE_CORRECTION : GetModel::Request::CURRENT;
-  request.request.merged = is_final;
+  request.request.as_built = as_built;
   request.request.cells = with_cells;
   if (!get_model_.call(request))
     throw std::runtime_error("no answer from " + get_model_.getService());
@@ -126,18 +127,18 @@ GetModel::Response TourWatch::model(bool before_correction, bool is_final, bool 
 }
 
 Results TourWatch::results() {
-  const auto planes = [&](bool before_correction, bool is_final) {
-    return planes_from(model(before_correction, is_final, true).planes);
+  const auto planes = [&](bool before_correction, bool as_built) {
+    return planes_from(model(before_correction, as_built, true).planes);
   };
   Results results;
-  results.models = {planes(true, false), planes(true, true), planes(false, false),
-                    planes(false, true)};
+  results.models = {planes(true, true), planes(true, false), planes(false, true),
+                    planes(false, false)};
   results.truth = patches_from(*truth_planes_);
   results.trajectory_before = poses_from(trajectory_before_);
   results.trajectory_after = poses_from(trajectory_);
   results.trajectory_truth = truth_.at_stamps_of(results.trajectory_before);
 
-  const GetModel::Response state = model(false, false, false);
+  const GetModel::Response state = model(false, true, false);
   results.summary.lines = state.lines;
   results.summary.dropped_lines = state.dropped_lines;
   results.summary.ribbons = state.ribbons;

@@ -46,7 +46,7 @@ class TourWatch {
 
  private:
   void on_correction(const nav_msgs::Path& path);
-  GetModel::Response model(bool before_correction, bool is_final, bool with_cells);
+  GetModel::Response model(bool before_correction, bool as_built, bool with_cells);
   bool is_corrected() const;
   double speed() const;
 

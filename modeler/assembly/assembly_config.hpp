@@ -4,7 +4,7 @@
 
 namespace ribbon_mapper {
 
-/// Which hypotheses become planes of the model, and which points belong to these.
+/// Criteria for the planes of the model, and for the points that belong to them.
 struct AssemblyConfig {
   /// Smallest number of ribbons of a plane.
   int min_ribbons = 10;

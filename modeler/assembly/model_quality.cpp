@@ -5,11 +5,13 @@
 #include <algorithm>
 #include <cmath>
 
+#include "modeler/geometry/angles.hpp"
 #include "modeler/surface/footprint.hpp"
 
 namespace ribbon_mapper {
 namespace {
 
+/// Returns true if a cell of the smaller plane lies near the cells of the larger one.
 bool touches(const Plane& smaller, const Footprint& larger, double max_offset_m) {
   return std::any_of(smaller.cells.begin(), smaller.cells.end(), [&](const PlaneCell& cell) {
     return larger.holds(cell_centre(smaller, cell), max_offset_m);
@@ -18,19 +20,20 @@ bool touches(const Plane& smaller, const Footprint& larger, double max_offset_m)
 
 bool is_duplicate(const Plane& smaller, const Footprint& footprint, const DuplicateRule& rule) {
   const Plane& larger = footprint.plane();
-  const double cosine = std::cos(rule.max_angle_deg * M_PI / 180.0);
+  const double cosine = std::cos(rule.max_angle_deg * kDegree);
   return smaller.normal.dot(larger.normal) > cosine &&
          std::abs(larger.normal.dot(smaller.centroid) + larger.d_m) < rule.max_offset_m &&
          touches(smaller, footprint, rule.max_offset_m);
 }
 
-/// Share of a normal distribution (mean, sigma) within +-`limit`.
+/// Returns the share of a normal distribution within +-`limit`.
 double share_within(double limit, double mean, double sigma) {
   if (sigma <= 0.0) return std::abs(mean) <= limit ? 1.0 : 0.0;
   const double scale = 1.0 / (sigma * M_SQRT2);
   return 0.5 * (std::erf((limit - mean) * scale) - std::erf((-limit - mean) * scale));
 }
 
+/// Returns the expected number of points within a distance of their planes.
 double points_within(double limit_m, const std::vector<Plane>& planes) {
   double points = 0.0;
   for (const Plane& plane : planes) {

@@ -10,25 +10,24 @@
 
 namespace ribbon_mapper {
 
-/// When one plane of a model is another one a second time.
+/// Limits within which a plane is a duplicate of a larger one.
 struct DuplicateRule {
-  double max_angle_deg = 5.0;  ///< between the normals: both sides of a wall are 180 apart
-  double max_offset_m = 0.10;  ///< of the smaller plane's centroid from the larger plane
-  /// They touch: a cell of the smaller one lies within max_offset_m of the larger plane, and no
-  /// further than this from its cells [m]. As wide as the stripes between scan lines may be.
+  double max_angle_deg = 5.0;  ///< largest angle between normals; sides of a wall are 180 apart
+  double max_offset_m = 0.10;  ///< largest distance of the smaller one's centroid from the plane
+  /// Largest distance, within the larger plane, of a cell of the smaller one from its cells [m]. As
+  /// wide as the stripes between scan lines may be.
   double touching_m = 0.3;
 };
 
-/// Indices of the planes that are duplicates of a larger one.
+/// Returns the ascending indices of the planes that are duplicates of a larger one.
 std::vector<std::size_t> duplicates_of_larger(const std::vector<Plane>& planes,
                                               const DuplicateRule& rule);
 
-/// Median distance of the points that the planes have taken from their planes [m], from the cells:
-/// count, mean and variance of the distances in each, taken as normally distributed. Nothing
-/// without points.
+/// Returns the median distance of points from their planes [m], or nothing without points.
+/// Estimates it from the cells: the distances within each are taken as normally distributed.
 std::optional<double> median_residual_m(const std::vector<Plane>& planes);
 
-/// Number of the points.
+/// Returns the number of points in the cells of all planes.
 std::size_t point_count(const std::vector<Plane>& planes);
 
 }  // namespace ribbon_mapper

@@ -11,16 +11,16 @@
 namespace ribbon_mapper {
 namespace {
 
-/// Ids of the pieces that a plane falls into beyond its largest: far above any hypothesis' id.
-constexpr std::int64_t piece_step = 1'000'000;
+/// Difference between the ids of successive pieces of a plane: far above any hypothesis' id.
+constexpr std::int64_t kPieceIdStep = 1'000'000;
 
-/// That of the cell in the middle of the ribbon's samples.
+/// Returns the component of the cell in the middle of the ribbon's samples.
 int component_of(const PosedRibbon& ribbon, const Plane& plane,
                  const std::vector<int>& components) {
-  const Eigen::Vector3d place =
+  const Eigen::Vector3d offset =
       ribbon.point(ribbon.ribbon->samples.middle_m(), 0.0F) - plane.origin;
-  const int u = static_cast<int>(std::floor(place.dot(plane.axis_u) / plane.cell_size_m));
-  const int v = static_cast<int>(std::floor(place.dot(plane.axis_v) / plane.cell_size_m));
+  const int u = static_cast<int>(std::floor(offset.dot(plane.axis_u) / plane.cell_size_m));
+  const int v = static_cast<int>(std::floor(offset.dot(plane.axis_v) / plane.cell_size_m));
   const auto found = std::lower_bound(
       plane.cells.begin(), plane.cells.end(), std::pair(v, u),
       [](const PlaneCell& cell, const auto& key) { return std::pair(cell.v, cell.u) < key; });
@@ -28,17 +28,19 @@ int component_of(const PosedRibbon& ribbon, const Plane& plane,
   return components[static_cast<std::size_t>(found - plane.cells.begin())];
 }
 
-/// Noise cannot have mixed two planes that lie closer together than the gate if there is a gap
-/// between them: what is left is an error of the poses (a third of the gate), or of the larger
-/// one's slope, which grows with the way.
+/// Returns true if the smaller piece is at the level of the larger one's plane.
+///
+/// The tolerance is narrower than the gate: across a gap, noise cannot have mixed two planes. There
+/// remain errors of the poses (a third of the gate) and the error of the larger one's slope, which
+/// grows with the distance.
 bool are_level(const Hypothesis& larger, const Hypothesis& smaller, const AssociationGates& gates) {
-  const Eigen::Vector3d way = smaller.fit().mean - larger.fit().mean;
-  const double error_m = std::sqrt(larger.tilt_variance(way));
+  const Eigen::Vector3d offset = smaller.fit().mean - larger.fit().mean;
+  const double error_m = std::sqrt(larger.tilt_variance(offset));
   return std::abs(larger.signed_distance(smaller.fit().mean)) <
          std::max(gates.distance_m / 3.0, 2.0 * error_m);
 }
 
-/// Length of a strip with the same variance.
+/// Returns the length of a strip with the variance of the piece along its larger extent.
 double length_m(const Hypothesis& piece) { return std::sqrt(12.0 * piece.fit().variances[2]); }
 
 }  // namespace
@@ -49,7 +51,7 @@ std::vector<Hypothesis> split(const Hypothesis& whole, const Plane& plane, doubl
   const int count = *std::max_element(numbers.begin(), numbers.end()) + 1;
   if (count == 1) return {whole};
   std::vector<Hypothesis> pieces;
-  for (int i = 0; i < count; ++i) pieces.emplace_back(whole.id + i * piece_step);
+  for (int i = 0; i < count; ++i) pieces.emplace_back(whole.id + i * kPieceIdStep);
   for (const Member& member : whole.members()) {
     const PosedRibbon ribbon = observations.ribbon(member.ribbon);
     pieces[component_of(ribbon, plane, numbers)].add(ribbon, member);
@@ -57,14 +59,14 @@ std::vector<Hypothesis> split(const Hypothesis& whole, const Plane& plane, doubl
   return pieces;
 }
 
-std::vector<Hypothesis> agreeing(const std::vector<Hypothesis>& pieces,
-                                 const AssociationGates& gates, double thing_m) {
+std::vector<Hypothesis> group_agreeing(const std::vector<Hypothesis>& pieces,
+                                       const AssociationGates& gates, double max_object_m) {
   std::vector<Hypothesis> groups;
   for (const Hypothesis& piece : pieces) {
     if (piece.members().empty()) continue;
     const auto group = std::find_if(groups.begin(), groups.end(), [&](const Hypothesis& group_) {
       return are_one_plane(group_, piece, gates) &&
-             (length_m(piece) > thing_m || are_level(group_, piece, gates));
+             (length_m(piece) > max_object_m || are_level(group_, piece, gates));
     });
     group == groups.end() ? groups.push_back(piece) : group->absorb(piece);
   }

@@ -10,15 +10,17 @@
 
 namespace ribbon_mapper {
 
-/// One hypothesis for each piece of the plane that is connected over gaps of at most `gap_m`, the
-/// largest first; it keeps the id. `plane` holds the cells of `whole`.
+/// Splits a hypothesis at gaps wider than `gap_m`. Returns one hypothesis for each piece, the
+/// largest first, which keeps the id. `plane` holds the cells of `whole`.
 std::vector<Hypothesis> split(const Hypothesis& whole, const Plane& plane, double gap_m,
                               const PosedObservations& observations);
 
-/// Two things side by side may have passed for one plane that is tilted a little: pieces with a gap
-/// between them stay together only if each by itself says so. Of pieces up to `thing_m` long, which
-/// may be things of their own, it is asked that they are level with the rest.
-std::vector<Hypothesis> agreeing(const std::vector<Hypothesis>& pieces,
-                                 const AssociationGates& gates, double thing_m);
+/// Unites the pieces of a plane that agree within the gates. Returns one hypothesis for each group.
+///
+/// Two adjacent objects at different heights may have been taken for one slightly tilted plane. So
+/// pieces stay together only if their own fits agree. Pieces of up to `max_object_m` in length may
+/// be separate objects, and must also be level with the rest.
+std::vector<Hypothesis> group_agreeing(const std::vector<Hypothesis>& pieces,
+                                       const AssociationGates& gates, double max_object_m);
 
 }  // namespace ribbon_mapper

@@ -15,8 +15,8 @@
 namespace ribbon_mapper {
 namespace {
 
-/// False if a hypothesis has too few ribbons to be confirmed, or if even the cells of all their
-/// samples cannot have this area.
+/// Returns false if a hypothesis has too few ribbons, or if the area of all its samples is less
+/// than `area_m2` even if each lies in a cell of its own.
 bool is_promising(double area_m2, const Hypothesis& hypothesis,
                   const PosedObservations& observations, double cell_size_m,
                   const AssemblyConfig& config) {
@@ -29,22 +29,25 @@ bool is_promising(double area_m2, const Hypothesis& hypothesis,
   return false;
 }
 
-/// A facet of a column is no plane.
+/// Returns true if the surface is significantly curved, such as a facet of a column.
 bool is_curved(const Plane& plane, const AssemblyConfig& config) {
   const Curvature curvature = curvature_of(plane);
   return curvature.bend - config.curvature_sigmas * curvature.sigma > 1.0 / config.min_radius_m &&
          curvature.sagitta_m > config.flat_within_m;
 }
 
-/// Things side by side whose faces are almost in line (a row of chairs) pass for one plane, but not
-/// for a flat one: four fifths of a plane's cells lie within a sigma of a single ribbon (the gate
-/// is two of them), as a cell is the mean of several. Large planes may sag.
+/// Returns true if a small plane consists of adjacent objects whose faces are almost in line, such
+/// as a row of chairs: its cells scatter too much.
+///
+/// On a real plane, four fifths of the cells lie within one standard deviation of a single ribbon
+/// (half the gate), since a cell is the mean of several ribbons. Large planes may sag.
 bool is_row_of_objects(const Plane& plane, const AssociationGates& gates,
                        const AssemblyConfig& config) {
   if (plane.area_m2 > 4.0 * config.min_area_m2) return false;
   return cell_scatter_m(plane).value_or(0.0) > 0.5 * gates.distance_m;
 }
 
+/// Transforms a plane from the model's frame to map.
 void move(Plane& plane, const Pose& T_map_model) {
   plane.normal = T_map_model.linear() * plane.normal;
   plane.axis_u = T_map_model.linear() * plane.axis_u;
@@ -54,6 +57,7 @@ void move(Plane& plane, const Pose& T_map_model) {
   plane.d_m = -plane.normal.dot(plane.origin);
 }
 
+/// Returns the surfaces without spurious planes.
 std::vector<Surface> without_spurious_planes(std::vector<Surface> surfaces, double bridged_gap_m,
                                              const AssemblyConfig& config) {
   std::vector<const Plane*> planes;
@@ -66,7 +70,7 @@ std::vector<Surface> without_spurious_planes(std::vector<Surface> surfaces, doub
   return kept;
 }
 
-/// Takes out what is too small, curved or a bevel; the others by id, in the map frame.
+/// Returns the planes in map, ordered by id, without those that are too small, curved or spurious.
 std::vector<Plane> finished(std::vector<Surface> surfaces, double min_area_m2,
                             const PosedObservations& observations, double bridged_gap_m,
                             const AssemblyConfig& config) {
@@ -82,7 +86,7 @@ std::vector<Plane> finished(std::vector<Surface> surfaces, double min_area_m2,
   return planes;
 }
 
-/// Takes hypotheses apart and collects the surfaces of what belongs together.
+/// Splits hypotheses where necessary and collects the surfaces of the parts.
 class Assembly {
  public:
   Assembly(const AssociationGates& gates, const PosedObservations& observations,
@@ -91,25 +95,27 @@ class Assembly {
         observations_(observations),
         surface_config_(surface_config),
         config_(config),
-        // Small ones, too: points that lie on them are not to be given to others.
+        // Includes small planes, so that their points are not assigned to others.
         min_m2_(std::min(config.min_area_as_built_m2, config.min_area_m2)) {}
 
+  /// Adds the surfaces of a hypothesis.
   void add(const Hypothesis& whole) {
     std::optional<Surface> surface = surface_of(whole);
     if (!surface) return;
     const auto pieces = split(whole, surface->plane(), surface_config_.stripe_gap_m, observations_);
     if (pieces.size() == 1) return surfaces_.push_back(std::move(*surface));
-    const auto groups = agreeing(pieces, gates_, surface_config_.bridged_gap_m);
+    const auto groups = group_agreeing(pieces, gates_, surface_config_.bridged_gap_m);
     if (groups.size() == 1) return add_connected(whole, std::move(*surface));
     for (const Hypothesis& group : groups) {
       if (auto grouped = surface_of(group)) add_connected(group, std::move(*grouped));
     }
   }
 
+  /// Moves the surfaces out.
   std::vector<Surface> take() { return std::move(surfaces_); }
 
  private:
-  /// Nothing if it is too small to matter.
+  /// Returns the surface of a hypothesis, or nothing if it is too small.
   std::optional<Surface> surface_of(const Hypothesis& hypothesis) const {
     const double cell_size_m = surface_config_.cell_size_m;
     if (!is_promising(min_m2_, hypothesis, observations_, cell_size_m, config_)) {
@@ -120,6 +126,7 @@ class Assembly {
     return surface;
   }
 
+  /// Adds the surfaces of the parts between gaps that are too wide to be bridged.
   void add_connected(const Hypothesis& group, Surface surface) {
     const auto parts = split(group, surface.plane(), surface_config_.bridged_gap_m, observations_);
     if (parts.size() == 1) return surfaces_.push_back(std::move(surface));

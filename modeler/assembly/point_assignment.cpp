@@ -14,23 +14,25 @@
 namespace ribbon_mapper {
 namespace {
 
-/// Which surfaces a point may lie on, by the voxel that it is in.
+/// Finds the surfaces that a point may lie on by the voxel of the point.
 class SurfaceIndex {
  public:
-  /// `reach_m`: from the centre of a footprint's block to the furthest point that lies on it.
+  /// Creates an empty index. `reach_m` is the distance from the centre of a footprint's block to
+  /// the furthest point that lies on it.
   explicit SurfaceIndex(double reach_m) : reach_m_(reach_m), voxels_per_m_(0.125 / reach_m) {}
 
+  /// A surface with its plane in single precision, which rejects most points that are too far.
   struct Candidate {
-    Eigen::Vector3f normal;  // of the plane of a surface: tells most that are too far
+    Eigen::Vector3f normal;
     float d_m;
     std::uint32_t surface;
   };
 
-  /// To be called for one surface after the other.
+  /// Enters the footprint of a surface. Surfaces must be entered one after the other.
   void enter(std::uint32_t surface, const Footprint& footprint) {
     const Plane& plane = footprint.plane();
     const Candidate candidate{plane.normal.cast<float>(), static_cast<float>(plane.d_m), surface};
-    VoxelKey last_low = nowhere, last_high = nowhere;
+    VoxelKey last_low = kNoVoxel, last_high = kNoVoxel;
     footprint.for_each_block([&](const Eigen::Vector3d& centre) {
       const VoxelKey low = voxel_of(centre.array() - reach_m_);
       const VoxelKey high = voxel_of(centre.array() + reach_m_);
@@ -43,6 +45,7 @@ class SurfaceIndex {
     });
   }
 
+  /// Returns the surfaces near a point. Valid until the next call of enter().
   const std::vector<Candidate>& near(const Eigen::Vector3d& point) {
     const VoxelKey key = voxel_of(point);
     if (key != last_key_) {
@@ -54,7 +57,7 @@ class SurfaceIndex {
   }
 
  private:
-  static constexpr VoxelKey nowhere = ~VoxelKey{0};
+  static constexpr VoxelKey kNoVoxel = ~VoxelKey{0};
 
   VoxelKey voxel_of(const Eigen::Vector3d& point) const { return voxel_key(voxels_per_m_ * point); }
 
@@ -66,11 +69,11 @@ class SurfaceIndex {
   double reach_m_, voxels_per_m_;
   tsl::robin_map<VoxelKey, std::vector<Candidate>, KeyHash> candidates_;
   const std::vector<Candidate> none_;
-  VoxelKey last_key_ = nowhere;
-  const std::vector<Candidate>* last_ = &none_;  // asked for last
+  VoxelKey last_key_ = kNoVoxel;
+  const std::vector<Candidate>* last_ = &none_;  // result of the latest query
 };
 
-/// Finds the surface that a single point lies on.
+/// Assigns points to the surfaces that they lie on.
 class PointAssigner {
  public:
   PointAssigner(const AssemblyConfig& config, std::vector<Surface>& surfaces)
@@ -83,7 +86,8 @@ class PointAssigner {
     }
   }
 
-  void give(const UnassignedPoints& unassigned, const Pose& T_model_base) {
+  /// Assigns the unassigned points of a line.
+  void assign(const UnassignedPoints& unassigned, const Pose& T_model_base) {
     const Eigen::Matrix3d R_model_base = T_model_base.linear();
     const Eigen::Vector3d origin = T_model_base.translation();
     const Eigen::Vector3d sensor = R_model_base * unassigned.sensor.cast<double>() + origin;
@@ -96,11 +100,11 @@ class PointAssigner {
                R_model_base.col(2) * local.z() + origin,
            packed.count, faces);
     }
-    give_found();
+    add_found();
   }
 
-  /// The surface that most of the points were given to owns the ribbon.
-  void give(const PosedSamples& ribbon, std::uint32_t index) {
+  /// Assigns the samples of a ribbon. The ribbon is added to the surface that most points lie on.
+  void assign(const PosedSamples& ribbon, std::uint32_t index) {
     const auto faces = [&](const Plane& plane) {
       return plane.normal.dot(ribbon.normal) > kMinCosineOfSide;
     };
@@ -109,53 +113,57 @@ class PointAssigner {
       all += count;
       find(ribbon.point(along_m, height_m), count, faces);
     });
-    if (Surface* const owner = owner_of(all)) owner->own(index);
-    give_found();
+    if (Surface* const surface = majority_of(all)) surface->add_ribbon(index);
+    add_found();
   }
 
  private:
-  /// A point and the surface that it lies on.
-  struct Found {
+  /// Points at one position and the surface that they lie on.
+  struct Assignment {
     Surface* surface;
-    Eigen::Vector3d place;
+    Eigen::Vector3d position;
     std::uint32_t count;
   };
 
-  /// The nearest of those that face the way that the point was seen from; none if all are too far.
+  /// Records the nearest surface that faces the side from which the point was seen, if there is one
+  /// near enough.
   template <typename Faces>
   void find(const Eigen::Vector3d& point, std::uint32_t count, const Faces& faces) {
-    Found nearest{nullptr, point, count};
+    Assignment nearest{nullptr, point, count};
     double min_m = on_plane_m_;
     const Eigen::Vector3f rough = point.cast<float>();
-    const float limit_m = static_cast<float>(on_plane_m_) + 1e-3F;  // above rounding
+    const float limit_m =
+        static_cast<float>(on_plane_m_) + 1e-3F;  // with a margin far above rounding
     for (const auto& candidate : index_.near(point)) {
       if (std::abs(candidate.normal.dot(rough) + candidate.d_m) > limit_m) continue;
       Surface& surface = surfaces_[candidate.surface];
-      const Eigen::Vector3d place = surface.place_of(point);
-      const double distance = std::abs(place.z());
+      const Eigen::Vector3d position = surface.grid_position(point);
+      const double distance = std::abs(position.z());
       if (distance > min_m || !faces(surface.plane())) continue;
-      if (!footprints_[candidate.surface].covers(place.x(), place.y())) continue;
-      nearest.surface = &surface, nearest.place = place, min_m = distance;
+      if (!footprints_[candidate.surface].covers(position.x(), position.y())) continue;
+      nearest.surface = &surface, nearest.position = position, min_m = distance;
     }
-    if (nearest.surface) found_.push_back(nearest);
+    if (nearest.surface) assignments_.push_back(nearest);
   }
 
-  /// All at once: cells lie all over the memory, the processor fetches several at a time.
-  void give_found() {
-    for (const Found& found : found_) found.surface->add(found.place, found.count);
-    found_.clear();
+  /// Adds the recorded points to their surfaces. Done for many points at once, so that the
+  /// processor fetches several cells at a time, which are scattered in memory.
+  void add_found() {
+    for (const Assignment& found : assignments_) found.surface->add(found.position, found.count);
+    assignments_.clear();
   }
 
-  /// The surface with more than half of all points; null if there is none (vote of Boyer and Moore
-  /// 1991, then counted).
-  Surface* owner_of(std::uint32_t all) const {
+  /// Returns the surface with more than half of all points, or null. Finds the only candidate by
+  /// the majority vote of Boyer and Moore (1991), then counts its points.
+  Surface* majority_of(std::uint32_t all) const {
     Surface* leader = nullptr;
     std::int64_t lead = 0, points = 0;
-    for (const Found& found : found_) {
+    for (const Assignment& found : assignments_) {
       lead += found.surface == leader ? found.count : -std::int64_t{found.count};
       if (lead < 0) leader = found.surface, lead = -lead;
     }
-    for (const Found& found : found_) points += found.surface == leader ? found.count : 0;
+    for (const Assignment& found : assignments_)
+      points += found.surface == leader ? found.count : 0;
     return 2 * points > all ? leader : nullptr;
   }
 
@@ -163,11 +171,11 @@ class PointAssigner {
   std::vector<Surface>& surfaces_;
   SurfaceIndex index_;
   std::vector<Footprint> footprints_;
-  std::vector<Found> found_;  // of one line or ribbon
+  std::vector<Assignment> assignments_;  // of the present line or ribbon
 };
 
-/// Of each ribbon, whether it belongs to a surface.
-std::vector<bool> owned_ribbons(const std::vector<Surface>& surfaces, std::size_t count) {
+/// Returns for each ribbon whether it belongs to a surface.
+std::vector<bool> ribbons_of_surfaces(const std::vector<Surface>& surfaces, std::size_t count) {
   std::vector<bool> owned(count, false);
   for (const Surface& surface : surfaces) {
     for (const std::uint32_t ribbon : surface.plane().ribbons) owned[ribbon] = true;
@@ -179,14 +187,14 @@ std::vector<bool> owned_ribbons(const std::vector<Surface>& surfaces, std::size_
 
 void assign_points(const PosedObservations& observations, const AssemblyConfig& config,
                    std::vector<Surface>& surfaces) {
-  PointAssigner taker(config, surfaces);
+  PointAssigner assigner(config, surfaces);
   for (std::size_t line = 0; line < observations.unassigned().size(); ++line) {
     const UnassignedPoints& unassigned = observations.unassigned()[line];
-    taker.give(unassigned, observations.T_model_base(unassigned.pose));
+    assigner.assign(unassigned, observations.T_model_base(unassigned.pose));
   }
-  const std::vector<bool> owned = owned_ribbons(surfaces, observations.ribbon_count());
+  const std::vector<bool> owned = ribbons_of_surfaces(surfaces, observations.ribbon_count());
   for (std::uint32_t i = 0; i < owned.size(); ++i) {
-    if (!owned[i]) taker.give(observations.samples(i), i);
+    if (!owned[i]) assigner.assign(observations.samples(i), i);
   }
   for (Surface& surface : surfaces) surface.refresh();
 }

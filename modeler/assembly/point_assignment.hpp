@@ -10,9 +10,11 @@
 
 namespace ribbon_mapper {
 
-/// Gives each point of no ribbon, or of a ribbon of no surface (one whose normal was spoilt by an
-/// edge or a short base line), to the surface that it lies on, beside what ribbons have seen of
-/// that: the area of a small plane, or of one seen at a slant, is that of all that was seen.
+/// Assigns points to the surfaces that they lie on, near what ribbons have seen of these.
+///
+/// The points are the unassigned ones, and those of ribbons that belong to no surface, for example
+/// because an edge or a short base line spoiled their normal. Without them, the area of a plane
+/// that is small or seen at a grazing angle would be underestimated.
 void assign_points(const PosedObservations& observations, const AssemblyConfig& config,
                    std::vector<Surface>& surfaces);
 

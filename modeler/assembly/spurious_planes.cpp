@@ -13,10 +13,11 @@
 namespace ribbon_mapper {
 namespace {
 
-/// A plane's cells by rows, with how far the points in them were from it.
-class Sheet {
+/// The cells of a plane by rows, with the mean distances of their points from it.
+class MeasuredCells {
  public:
-  explicit Sheet(const Plane& plane) : plane_(&plane) {
+  /// Refers to the cells of a plane, which must outlive it.
+  explicit MeasuredCells(const Plane& plane) : plane_(&plane) {
     if (plane.cells.empty()) return;
     Eigen::AlignedBox2i grid;
     const PlaneCell* const end = plane.cells.data() + plane.cells.size();
@@ -36,11 +37,13 @@ class Sheet {
     }
   }
 
+  /// Returns the plane.
   const Plane& plane() const { return *plane_; }
-  const Eigen::AlignedBox3d& box() const { return box_; }  ///< around all points
+  /// Returns a box around the mean points of all cells.
+  const Eigen::AlignedBox3d& box() const { return box_; }
 
-  /// Calls function(index, point) for each cell, and where its points were on average, that lies
-  /// within `reach_m` of another plane. Along a row, distances from that are linear.
+  /// Calls function(index, point) for each cell whose mean point lies within `reach_m` of another
+  /// plane. Along a row, the distance of the cells from that plane is linear.
   template <typename Function>
   void for_each_near(const Plane& other, double reach_m, const Function& function) const {
     const double slope = plane_->cell_size_m * other.normal.dot(plane_->axis_u);
@@ -72,35 +75,40 @@ class Sheet {
   Eigen::AlignedBox3d box_;
 };
 
-/// A plane that others may lie on.
-class Ground {
+/// A plane that the points of smaller, spurious planes may lie on.
+class SupportingPlane {
  public:
-  Ground(const Sheet& sheet, double bridged_gap_m, const AssemblyConfig& config)
-      : plane_(&sheet.plane()), bridged_gap_m_(bridged_gap_m), config_(&config), box_(sheet.box()) {
+  /// Refers to the plane of the cells, which must outlive it.
+  SupportingPlane(const MeasuredCells& measured, double bridged_gap_m, const AssemblyConfig& config)
+      : plane_(&measured.plane()),
+        bridged_gap_m_(bridged_gap_m),
+        config_(&config),
+        box_(measured.box()) {
     const double margin_m = bridged_gap_m + config.on_plane_m;  // twice the wider reach
     box_.min().array() -= margin_m;
     box_.max().array() += margin_m;
   }
 
+  /// Returns false if no point in the box can lie on this plane.
   bool is_near(const Eigen::AlignedBox3d& box) const { return box_.intersects(box); }
 
-  /// Marks the cells of `other` that lie on this plane, as measured.
-  void explain(const Sheet& other, std::vector<bool>& explained) {
+  /// Marks the cells of `other` whose mean points lie on this plane.
+  void mark_supported(const MeasuredCells& other, std::vector<bool>& supported) {
     const double cosine = plane_->normal.dot(other.plane().normal);
-    if (cosine <= 0.0) return;  // the back of a thin wall is no part of its front
+    if (cosine <= 0.0) return;  // the sides of a thin wall are different planes
     const bool is_nearly_parallel = cosine > kMinCosineOfParallel;
     other.for_each_near(*plane_, config_->on_plane_m, [&](std::size_t i, const auto& point) {
-      if (explained[i]) return;
+      if (supported[i]) return;
       const Footprint& around = is_nearly_parallel ? footprint(beyond_gap_, 0.5 * bridged_gap_m_)
                                                    : footprint(beside_, config_->beside_plane_m);
-      explained[i] = around.holds(point, config_->on_plane_m);
+      supported[i] = around.holds(point, config_->on_plane_m);
     });
   }
 
  private:
   static constexpr double kMinCosineOfParallel = 0.985;  // 10 degrees
 
-  /// Made when it is first asked for.
+  /// Returns the footprint, which is created when it is first needed.
   const Footprint& footprint(std::optional<Footprint>& made, double reach_m) {
     if (!made) made.emplace(*plane_, reach_m);
     return *made;
@@ -113,13 +121,14 @@ class Ground {
   std::optional<Footprint> beside_, beyond_gap_;
 };
 
-bool is_spurious(const Sheet& sheet, std::vector<Ground>& larger) {
-  const std::size_t cells = sheet.plane().cells.size();
-  std::vector<bool> explained(cells, false);
-  for (Ground& ground : larger) {
-    if (ground.is_near(sheet.box())) ground.explain(sheet, explained);
+/// Returns true if most of the cells lie on larger planes.
+bool is_spurious(const MeasuredCells& measured, std::vector<SupportingPlane>& larger) {
+  const std::size_t cells = measured.plane().cells.size();
+  std::vector<bool> supported(cells, false);
+  for (SupportingPlane& support : larger) {
+    if (support.is_near(measured.box())) support.mark_supported(measured, supported);
   }
-  const auto count = std::count(explained.begin(), explained.end(), true);
+  const auto count = std::count(supported.begin(), supported.end(), true);
   return 2 * static_cast<std::size_t>(count) > cells;
 }
 
@@ -133,11 +142,11 @@ std::vector<bool> are_spurious(const std::vector<const Plane*>& planes, double b
     return planes[a]->area_m2 > planes[b]->area_m2;
   });
   std::vector<bool> spurious(planes.size());
-  std::vector<Ground> larger;
+  std::vector<SupportingPlane> larger;
   for (const std::size_t i : order) {
-    const Sheet sheet(*planes[i]);
-    spurious[i] = is_spurious(sheet, larger);
-    if (!spurious[i]) larger.emplace_back(sheet, bridged_gap_m, config);
+    const MeasuredCells measured(*planes[i]);
+    spurious[i] = is_spurious(measured, larger);
+    if (!spurious[i]) larger.emplace_back(measured, bridged_gap_m, config);
   }
   return spurious;
 }

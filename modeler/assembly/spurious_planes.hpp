@@ -9,14 +9,15 @@
 
 namespace ribbon_mapper {
 
-/// Which planes are none, because most of their cells lie, as measured, on larger planes beside
-/// them. Along a concave edge, lines that straddle it pile up to a convincing plane across the
-/// corner (a bevel). And where few ribbons see a wall's end, the poor normals of some make a second
-/// plane of almost its direction (a splinter), which a gap may part from the rest of the wall.
+/// Flags spurious planes: most of their cells lie, as measured, on larger planes next to them.
+///
+/// There are two kinds. Along a concave edge, lines that straddle it accumulate to a plane across
+/// the corner. And where few ribbons see the end of a wall, some poor normals make a second plane
+/// of almost the same direction, possibly beyond a gap.
 std::vector<bool> are_spurious(const std::vector<const Plane*>& planes, double bridged_gap_m,
                                const AssemblyConfig& config);
 
-/// Those that are planes, the largest first.
+/// Returns the planes that are not spurious, the largest first.
 std::vector<Plane> without_spurious_planes(std::vector<Plane> planes, double bridged_gap_m,
                                            const AssemblyConfig& config);
 

@@ -5,22 +5,25 @@
 #include <algorithm>
 #include <cmath>
 
+#include "modeler/geometry/angles.hpp"
 #include "modeler/geometry/square.hpp"
 
 namespace ribbon_mapper {
 namespace {
 
-constexpr double degree = M_PI / 180.0;
-// An error of a normal excuses no more than this, however short the base line.
-constexpr double max_excuse_rad = 3.0 * degree;
+/// Largest tolerance for the error of a normal, however short the base line.
+constexpr double kMaxTolerance_rad = 3.0 * kDegree;
 
-/// Of a direction out of a plane [rad]: the sine, within 0.2 % of the angle as far as gates go.
+/// Returns the angle of a direction out of a plane [rad]. Takes the sine for the angle, to within
+/// 0.2 % over the range of the gates.
 double tilt(const Eigen::Vector3d& normal, const Eigen::Vector3d& direction) {
   return std::abs(normal.dot(direction));
 }
 
-/// By how much two sigma of an error of a normal widen the gate of angles.
-double excuse(double variance) { return std::min(max_excuse_rad, 2.0 * std::sqrt(variance)); }
+/// Returns the tolerance that widens the angular gate: two standard deviations of a normal's error.
+double tolerance_rad(double variance) {
+  return std::min(kMaxTolerance_rad, 2.0 * std::sqrt(variance));
+}
 
 }  // namespace
 
@@ -57,7 +60,7 @@ double Hypothesis::tilt_variance(const Eigen::Vector3d& direction) const {
 }
 
 double min_cosine(const AssociationGates& gates) {
-  const double sine = std::sin(std::min(M_PI_4, gates.angle_deg * degree + max_excuse_rad));
+  const double sine = std::sin(std::min(M_PI_4, gates.angle_deg * kDegree + kMaxTolerance_rad));
   return std::max(kMinCosineOfSide, std::sqrt(1.0 - 2.0 * sine * sine));
 }
 
@@ -66,16 +69,16 @@ std::optional<double> square_sigmas(const PosedRibbon& ribbon, const Hypothesis&
   if (plane.normal().dot(ribbon.normal) < kMinCosineOfSide) return std::nullopt;
   const double distance = std::abs(plane.signed_distance(ribbon.centroid)) / gates.distance_m;
   if (distance > 1.0) return std::nullopt;
-  const double gate = gates.angle_deg * degree;
+  const double gate = gates.angle_deg * kDegree;
   const double tilt_along = tilt(plane.normal(), ribbon.along);
   const double tilt_across = tilt(plane.normal(), ribbon.across);
-  if (std::max(tilt_along, tilt_across) > gate + max_excuse_rad) return std::nullopt;
-  const double along = tilt_along / (gate + excuse(plane.tilt_variance(ribbon.along)));
+  if (std::max(tilt_along, tilt_across) > gate + kMaxTolerance_rad) return std::nullopt;
+  const double along = tilt_along / (gate + tolerance_rad(plane.tilt_variance(ribbon.along)));
   const double across =
-      tilt_across /
-      (gate + excuse(plane.tilt_variance(ribbon.across) + square(ribbon.ribbon->sigma_across_rad)));
+      tilt_across / (gate + tolerance_rad(plane.tilt_variance(ribbon.across) +
+                                          square(ribbon.ribbon->sigma_across_rad)));
   if (along > 1.0 || across > 1.0) return std::nullopt;
-  // The gates are two sigma.
+  // The gates are at two standard deviations.
   return 4.0 * (square(distance) + square(along) + square(across));
 }
 
@@ -88,7 +91,7 @@ bool are_one_plane(const Hypothesis& larger, const Hypothesis& smaller,
   for (int axis = 1; axis < 3; ++axis) {
     const Eigen::Vector3d direction = smaller.fit().axes.col(axis);
     const double variance = larger.tilt_variance(direction) + smaller.tilt_variance(direction);
-    if (tilt(larger.normal(), direction) > gates.angle_deg * degree + excuse(variance)) {
+    if (tilt(larger.normal(), direction) > gates.angle_deg * kDegree + tolerance_rad(variance)) {
       return false;
     }
   }

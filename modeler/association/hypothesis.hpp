@@ -10,44 +10,57 @@
 
 #include "modeler/association/association_config.hpp"
 #include "modeler/geometry/moments.hpp"
+#include "modeler/geometry/plane_fit.hpp"
 #include "modeler/observations/posed_ribbon.hpp"
 
 namespace ribbon_mapper {
 
-/// Ribbons and planes whose normals lie further apart than this were seen from another side.
+/// Smallest cosine between the normals of ribbons and planes that were seen from the same side.
 constexpr double kMinCosineOfSide = 0.5;
 
-/// A ribbon's part in a hypothesis.
+/// The membership of a ribbon in a hypothesis.
 struct Member {
-  std::uint32_t ribbon = 0;  ///< index
-  float probability = 1.0F;  ///< with which it joined, weighs its area in eq. 4
+  std::uint32_t ribbon = 0;  ///< index of the ribbon
+  float probability = 1.0F;  ///< membership() when it joined; weights its area in eq. 4
 };
 
-/// What ribbons of like parameters were aggregated into (section 4.3).
+/// A plane hypothesis: ribbons of similar parameters and their common plane (section 4.3 of the
+/// paper).
 ///
-/// Eq. 4 takes the mean of the ribbons' parameters, weighted by area times probability. Here the
-/// same weights go on the ribbons' points, of which the plane is the least-squares fit: the mean of
-/// parameters would let a ribbon's weak normal count where the spread of all ribbons knows better.
+/// Deviation from the paper: eq. 4 averages the ribbons' parameters, weighted by area times
+/// probability. Here the plane is the least-squares fit of the ribbons' points with these weights.
+/// The points of all ribbons determine the normal far better than the mean of single normals.
 class Hypothesis {
  public:
+  /// Creates a hypothesis without ribbons.
   explicit Hypothesis(std::int64_t id_) : id(id_) {}
 
+  /// Adds a ribbon and fits the plane again.
   void add(const PosedRibbon& ribbon, const Member& member);
+  /// Adds all ribbons of another hypothesis and fits the plane again. Keeps the id.
   void absorb(const Hypothesis& other);
 
-  const Eigen::Vector3d& normal() const { return normal_; }  ///< towards the seen side
+  /// Returns the unit normal, which points to the side that the plane was seen from.
+  const Eigen::Vector3d& normal() const { return normal_; }
+  /// Returns the offset d of the plane n.p + d = 0 [m].
   double d_m() const { return d_m_; }
+  /// Returns the fit of the plane. Its normal may have the opposite sign of normal().
   const PlaneFit& fit() const { return fit_; }
-  double area_m2() const { return moments_.weight(); }  ///< sum of ribbons' areas, weighted
+  /// Returns the sum of the ribbons' areas, weighted by probability [m2].
+  double area_m2() const { return moments_.weight(); }
+  /// Returns the number of points of all ribbons.
   double points() const { return points_; }
+  /// Returns the moments of all points, weighted by area times probability.
   const Moments& moments() const { return moments_; }
+  /// Returns the ribbons in the order in which they joined.
   const std::vector<Member>& members() const { return members_; }
+  /// Returns the distance of a point from the plane [m], positive on the side it was seen from.
   double signed_distance(const Eigen::Vector3d& point) const { return normal_.dot(point) + d_m_; }
 
-  /// Of the error of the normal's tilt in a direction in the plane [rad2].
+  /// Returns the variance of the normal's tilt along a direction in the plane [rad2].
   double tilt_variance(const Eigen::Vector3d& direction) const;
 
-  std::int64_t id;  ///< in the order of creation; of two that merge, the older one's
+  std::int64_t id;  ///< number of the hypothesis, in the order of creation
 
  private:
   void refit();
@@ -61,19 +74,21 @@ class Hypothesis {
   double d_m_ = 0.0;
 };
 
-/// Normals of what may be one plane have at least this cosine: the widest gate about both axes.
+/// Returns the smallest cosine between the normals of a ribbon and a plane that the gates may
+/// accept: the widest gate about both axes.
 double min_cosine(const AssociationGates& gates);
 
-/// How far a ribbon is from belonging to a plane: the square of its distance at the centroid and of
-/// its tilts along and across, each in sigmas; nothing outside of the gates (section 4.3).
+/// Returns the squared Mahalanobis distance of a ribbon from a plane, or nothing outside the gates.
+/// Adds the squares of the distance of the centroid and of the tilts along and across the ribbon,
+/// each in standard deviations (section 4.3 of the paper).
 std::optional<double> square_sigmas(const PosedRibbon& ribbon, const Hypothesis& plane,
                                     const AssociationGates& gates);
 
-/// The probability of that belonging.
+/// Returns the probability that a ribbon at this squared distance belongs to the plane.
 inline double membership(double square_sigmas) { return std::exp(-0.5 * square_sigmas); }
 
-/// True if two hypotheses are one plane within the gates: same side, same direction, and the points
-/// of the smaller one on the plane of the larger one.
+/// Returns true if two hypotheses are one plane within the gates: they are seen from the same side,
+/// have the same direction, and the points of the smaller one lie on the plane of the larger one.
 bool are_one_plane(const Hypothesis& larger, const Hypothesis& smaller,
                    const AssociationGates& gates);
 

@@ -11,7 +11,39 @@
 namespace ribbon_mapper {
 namespace {
 
-constexpr std::int64_t no_id = -1;
+constexpr std::int64_t kNoId = -1;  // of a ribbon that is in no hypothesis
+
+/// The number of ribbons that the hypothesis at a slot shares with a former one.
+struct Share {
+  std::size_t ribbons;
+  std::int64_t id;  // of the former one
+  std::uint32_t slot;
+};
+
+/// Returns the shares of all hypotheses, the largest first. See PlaneMap::take_ids_from().
+std::vector<Share> shares_of(const std::vector<Hypothesis>& hypotheses,
+                             const std::vector<std::int64_t>& ids_before,
+                             const std::vector<std::uint32_t>& index_before) {
+  std::vector<Share> shares;
+  std::vector<std::int64_t> ids;  // former ids of the ribbons of one hypothesis
+  for (std::uint32_t slot = 0; slot < hypotheses.size(); ++slot) {
+    ids.clear();
+    for (const Member& member : hypotheses[slot].members()) {
+      const std::size_t ribbon = index_before.empty() ? member.ribbon : index_before[member.ribbon];
+      if (ribbon < ids_before.size() && ids_before[ribbon] != kNoId) {
+        ids.push_back(ids_before[ribbon]);
+      }
+    }
+    std::sort(ids.begin(), ids.end());
+    for (auto id = ids.begin(), next = id; id != ids.end(); id = next) {
+      next = std::upper_bound(id, ids.end(), *id);
+      shares.push_back({static_cast<std::size_t>(next - id), *id, slot});
+    }
+  }
+  std::stable_sort(shares.begin(), shares.end(),
+                   [](const Share& a, const Share& b) { return a.ribbons > b.ribbons; });
+  return shares;
+}
 
 }  // namespace
 
@@ -27,30 +59,30 @@ void PlaneMap::add(const PosedRibbon& ribbon, std::uint32_t index) {
   const Eigen::Vector3f normal = ribbon.normal.cast<float>();
   const Eigen::Vector3f centroid = ribbon.centroid.cast<float>();
   const auto is_parallel = [&](std::uint32_t slot) {
-    return sides_[slot].normal.dot(normal) >= min_cosine_;
+    return float_planes_[slot].normal.dot(normal) >= min_cosine_;
   };
   const auto is_close = [&](std::uint32_t slot) {
-    const Side& side = sides_[slot];
-    return std::abs(side.normal.dot(centroid) + side.d_m) <= max_distance_m_;
+    const FloatPlane& plane = float_planes_[slot];
+    return std::abs(plane.normal.dot(centroid) + plane.d_m) <= max_distance_m_;
   };
   index_.voxels_of(ribbon, voxels_);
   index_.near(voxels_, cube_side(ribbon.normal), is_parallel, near_);
-  std::optional<double> least;
+  std::optional<double> min_sigmas;
   std::uint32_t slot = 0;
-  others_.clear();
+  matches_.clear();
   for (const std::uint32_t candidate : near_) {
     if (!is_close(candidate)) continue;
     const auto sigmas = square_sigmas(ribbon, hypotheses_[candidate], gates_);
     if (!sigmas) continue;
-    others_.push_back(candidate);
-    if (!least || *sigmas < *least) least = sigmas, slot = candidate;
+    matches_.push_back(candidate);
+    if (!min_sigmas || *sigmas < *min_sigmas) min_sigmas = sigmas, slot = candidate;
   }
-  if (!least) slot = new_slot();
-  const auto probability = static_cast<float>(membership(least.value_or(0.0)));
+  if (!min_sigmas) slot = new_slot();
+  const auto probability = static_cast<float>(membership(min_sigmas.value_or(0.0)));
   hypotheses_[slot].add(ribbon, {index, probability});
   refresh(slot);
   index_.enter(slot, voxels_);
-  if (others_.size() > 1) merge_with(others_, slot);
+  if (matches_.size() > 1) merge_with(matches_, slot);
 }
 
 std::uint32_t PlaneMap::new_slot() {
@@ -63,20 +95,20 @@ std::uint32_t PlaneMap::new_slot() {
   }
   reserve_one_more(hypotheses_);
   hypotheses_.push_back(empty);
-  sides_.emplace_back();
+  float_planes_.emplace_back();
   return static_cast<std::uint32_t>(hypotheses_.size() - 1);
 }
 
-/// After a hypothesis has been fitted.
+/// Updates what is derived from a hypothesis' plane after a new fit.
 void PlaneMap::refresh(std::uint32_t slot) {
   const Eigen::Vector3d& normal = hypotheses_[slot].normal();
-  sides_[slot] = {normal.cast<float>(), static_cast<float>(hypotheses_[slot].d_m())};
+  float_planes_[slot] = {normal.cast<float>(), static_cast<float>(hypotheses_[slot].d_m())};
   index_.list(slot, cube_sides_within(normal, reach_));
 }
 
-/// A ribbon that fits several hypotheses is where they meet: those that are one plane merge.
-void PlaneMap::merge_with(const std::vector<std::uint32_t>& others, std::uint32_t slot) {
-  for (const std::uint32_t other : others) {
+/// Merges the hypothesis at `slot` with those of the matches that are one plane with it.
+void PlaneMap::merge_with(const std::vector<std::uint32_t>& matches, std::uint32_t slot) {
+  for (const std::uint32_t other : matches) {
     if (other == slot) continue;
     const bool is_larger = hypotheses_[slot].area_m2() >= hypotheses_[other].area_m2();
     const std::uint32_t larger = is_larger ? slot : other;
@@ -87,6 +119,7 @@ void PlaneMap::merge_with(const std::vector<std::uint32_t>& others, std::uint32_
   }
 }
 
+/// Merges two hypotheses. The result has the older id.
 void PlaneMap::merge(std::uint32_t into, std::uint32_t from) {
   const std::int64_t id = std::min(hypotheses_[into].id, hypotheses_[from].id);
   hypotheses_[into].absorb(hypotheses_[from]);
@@ -116,7 +149,7 @@ std::vector<Hypothesis> PlaneMap::merged_hypotheses() const {
   std::stable_sort(order.begin(), order.end(), [this](std::uint32_t a, std::uint32_t b) {
     return hypotheses_[a].area_m2() > hypotheses_[b].area_m2();
   });
-  // One that nothing near has changed since it was looked at has nothing new to absorb.
+  // A hypothesis is open until it was examined, and again when one near it has changed.
   std::vector<char> is_open(hypotheses_.size(), 1);
   bool changed = true;
   while (changed) {
@@ -132,10 +165,10 @@ std::vector<Hypothesis> PlaneMap::merged_hypotheses() const {
   return work.hypotheses();
 }
 
-/// Returns the slots near a hypothesis that may be one plane with it, its own among them.
+/// Returns the slots near a hypothesis that may be one plane with it, including its own.
 std::vector<std::uint32_t> PlaneMap::parallel_neighbours(std::uint32_t slot) {
   const auto is_parallel = [&](std::uint32_t other) {
-    return sides_[slot].normal.dot(sides_[other].normal) >= min_cosine_;
+    return float_planes_[slot].normal.dot(float_planes_[other].normal) >= min_cosine_;
   };
   std::vector<std::uint32_t> neighbours;
   index_.near(index_.touched_by(slot), cube_side(hypotheses_[slot].normal()), is_parallel,
@@ -143,6 +176,8 @@ std::vector<std::uint32_t> PlaneMap::parallel_neighbours(std::uint32_t slot) {
   return neighbours;
 }
 
+/// Merges all smaller neighbours that are one plane with the hypothesis at `slot` into it. Returns
+/// true if there were any.
 bool PlaneMap::absorb_neighbours(std::uint32_t slot) {
   if (!is_alive(slot)) return false;
   bool changed = false;
@@ -152,17 +187,18 @@ bool PlaneMap::absorb_neighbours(std::uint32_t slot) {
     if (!are_one_plane(hypotheses_[slot], hypotheses_[other], gates_)) continue;
     const std::int64_t id = hypotheses_[slot].id;
     merge(slot, other);
-    hypotheses_[slot].id = id;  // a plane does not take the name of a sliver
+    hypotheses_[slot].id = id;  // the larger one's, even if the sliver is older
     changed = true;
   }
   return changed;
 }
 
+/// Returns the id of each ribbon's hypothesis, or kNoId.
 std::vector<std::int64_t> PlaneMap::ids_of_ribbons() const {
   std::vector<std::int64_t> ids;
   for (const Hypothesis& plane : hypotheses_) {
     for (const Member& member : plane.members()) {
-      if (member.ribbon >= ids.size()) ids.resize(member.ribbon + 1, no_id);
+      if (member.ribbon >= ids.size()) ids.resize(member.ribbon + 1, kNoId);
       ids[member.ribbon] = plane.id;
     }
   }
@@ -171,33 +207,9 @@ std::vector<std::int64_t> PlaneMap::ids_of_ribbons() const {
 
 void PlaneMap::take_ids_from(const PlaneMap& before,
                              const std::vector<std::uint32_t>& index_before) {
-  const std::vector<std::int64_t> ids_before = before.ids_of_ribbons();
-  struct Share {
-    std::size_t ribbons;
-    std::int64_t id;
-    std::uint32_t slot;
-  };
-  std::vector<Share> shares;
-  std::vector<std::int64_t> ids;  // of one hypothesis' ribbons
-  for (std::uint32_t slot = 0; slot < hypotheses_.size(); ++slot) {
-    ids.clear();
-    for (const Member& member : hypotheses_[slot].members()) {
-      const std::size_t ribbon = index_before.empty() ? member.ribbon : index_before[member.ribbon];
-      if (ribbon < ids_before.size() && ids_before[ribbon] != no_id) {
-        ids.push_back(ids_before[ribbon]);
-      }
-    }
-    std::sort(ids.begin(), ids.end());
-    for (auto id = ids.begin(), next = id; id != ids.end(); id = next) {
-      next = std::upper_bound(id, ids.end(), *id);
-      shares.push_back({static_cast<std::size_t>(next - id), *id, slot});
-    }
-  }
-  std::stable_sort(shares.begin(), shares.end(),
-                   [](const Share& a, const Share& b) { return a.ribbons > b.ribbons; });
   std::unordered_set<std::int64_t> taken;
   std::vector<bool> named(hypotheses_.size(), false);
-  for (const Share& share : shares) {
+  for (const Share& share : shares_of(hypotheses_, before.ids_of_ribbons(), index_before)) {
     if (named[share.slot] || !taken.insert(share.id).second) continue;
     hypotheses_[share.slot].id = share.id;
     named[share.slot] = true;
@@ -206,7 +218,7 @@ void PlaneMap::take_ids_from(const PlaneMap& before,
 
 std::size_t PlaneMap::memory_bytes() const {
   std::size_t bytes = index_.memory_bytes() + hypotheses_.capacity() * sizeof(Hypothesis) +
-                      sides_.capacity() * sizeof(Side) +
+                      float_planes_.capacity() * sizeof(FloatPlane) +
                       free_slots_.capacity() * sizeof(std::uint32_t);
   for (const Hypothesis& plane : hypotheses_) bytes += plane.members().capacity() * sizeof(Member);
   return bytes;

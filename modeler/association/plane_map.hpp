@@ -11,36 +11,43 @@
 
 namespace ribbon_mapper {
 
-/// Aggregation of ribbons into planes, on the fly (section 4.3). A ribbon joins the likeliest of
-/// the planes that it nearly touches; hypotheses that have grown together are merged as they meet.
+/// Aggregates ribbons into plane hypotheses, one after the other (section 4.3 of the paper).
+///
+/// A ribbon joins the most likely of the hypotheses near it, or founds a new one. Hypotheses that
+/// have grown together are merged when a ribbon fits both.
 class PlaneMap {
  public:
   /// Creates an empty map. A ribbon joins planes within `reach_m` of their ribbons; new hypotheses
   /// are numbered from `first_id` on.
   PlaneMap(double reach_m, const AssociationGates& gates, std::int64_t first_id = 0);
 
-  /// `index`: by which the ribbon is remembered as a member.
+  /// Adds a ribbon, which becomes a member with this index.
   void add(const PosedRibbon& ribbon, std::uint32_t index);
 
-  std::vector<Hypothesis> hypotheses() const;  ///< as built on the way, by id
+  /// Returns the hypotheses as built on the way, ordered by id.
+  std::vector<Hypothesis> hypotheses() const;
 
-  /// The hypotheses with all that are one plane within the gates merged, by id.
+  /// Returns the hypotheses after merging all that are one plane within the gates, ordered by id.
   std::vector<Hypothesis> merged_hypotheses() const;
 
-  /// For a map of the same ribbons evaluated again: a hypothesis takes the id of the one in
-  /// `before` with which it shares the most ribbons, as far as that is still free. `index_before`:
-  /// of each ribbon, if they are numbered anew.
+  /// Replaces the ids by those of `before`, a map of the same ribbons before they were evaluated
+  /// again. Each hypothesis takes the id of the one with which it shares the most ribbons, unless
+  /// another shares more. `index_before[i]` is the former index of ribbon i; empty if unchanged.
   void take_ids_from(const PlaneMap& before, const std::vector<std::uint32_t>& index_before = {});
+  /// Returns the id that the next new hypothesis will have.
   std::int64_t next_id() const { return next_id_; }
+  /// Returns the gates.
   const AssociationGates& gates() const { return gates_; }
 
+  /// Returns the memory in use. Visits every hypothesis.
   std::size_t memory_bytes() const;
 
  private:
   std::vector<std::int64_t> ids_of_ribbons() const;
 
-  /// Tells at once that most ribbons near a hypothesis are none of it, a quarter of a cache line.
-  struct Side {
+  /// A hypothesis' plane in single precision, a quarter of a cache line. Rejects most of the
+  /// ribbons near a hypothesis that do not belong to it.
+  struct FloatPlane {
     Eigen::Vector3f normal;
     float d_m;
   };
@@ -49,19 +56,19 @@ class PlaneMap {
   std::vector<std::uint32_t> parallel_neighbours(std::uint32_t slot);
   bool is_alive(std::uint32_t slot) const { return !hypotheses_[slot].members().empty(); }
   void merge(std::uint32_t into, std::uint32_t from);
-  void merge_with(const std::vector<std::uint32_t>& others, std::uint32_t slot);
+  void merge_with(const std::vector<std::uint32_t>& matches, std::uint32_t slot);
   bool absorb_neighbours(std::uint32_t slot);
 
   AssociationGates gates_;
-  float min_cosine_, max_distance_m_;  // of a Side; the margins are far above rounding
-  double reach_;                       // from a normal to those of its ribbons
+  float min_cosine_, max_distance_m_;  // gates for a FloatPlane, with margins far above rounding
+  double reach_;  // largest distance from a hypothesis' unit normal to those of its ribbons
   VoxelIndex index_;
   std::int64_t next_id_;
-  std::vector<Hypothesis> hypotheses_;        // by slot; without members: slot is free
-  std::vector<Side> sides_;                   // by slot
-  std::vector<std::uint32_t> free_slots_;     // of what merged into others
-  std::vector<std::uint32_t> voxels_;         // scratch
-  std::vector<std::uint32_t> near_, others_;  // scratch
+  std::vector<Hypothesis> hypotheses_;         // by slot; a free slot has no members
+  std::vector<FloatPlane> float_planes_;       // by slot
+  std::vector<std::uint32_t> free_slots_;      // of hypotheses that were merged into others
+  std::vector<std::uint32_t> voxels_;          // working memory
+  std::vector<std::uint32_t> near_, matches_;  // working memory
 };
 
 }  // namespace ribbon_mapper

@@ -10,13 +10,15 @@
 namespace ribbon_mapper {
 namespace {
 
-constexpr double steps_per_voxel = 4.0;  // along a ribbon
+constexpr double kStepsPerVoxel = 4.0;  // along a ribbon
 
-/// Those that were entered last are at the end, and are asked for most.
+/// Returns true if `slots` contain the slot. Searches from the end, where the recently entered ones
+/// are, which are looked up most.
 bool holds(const std::vector<std::uint32_t>& slots, std::uint32_t slot) {
   return std::find(slots.rbegin(), slots.rend(), slot) != slots.rend();
 }
 
+/// Removes a slot. Does not keep the order.
 void remove_from(std::vector<std::uint32_t>& slots, std::uint32_t slot) {
   *std::find(slots.rbegin(), slots.rend(), slot) = slots.back();
   slots.pop_back();
@@ -24,6 +26,7 @@ void remove_from(std::vector<std::uint32_t>& slots, std::uint32_t slot) {
 
 }  // namespace
 
+/// Returns the voxel of a key. Creates it if necessary and links it with its neighbours.
 std::uint32_t VoxelIndex::voxel_of(VoxelKey key) {
   const auto number = static_cast<std::uint32_t>(voxels_.size());
   const auto [found, is_new] = numbers_.try_emplace(key, number);
@@ -35,16 +38,17 @@ std::uint32_t VoxelIndex::voxel_of(VoxelKey key) {
     voxels_[number].around.push_back(other->second);
     if (other->second != number) voxels_[other->second].around.push_back(number);
   });
-  list_what_is_near(voxels_[number]);
+  list_hypotheses_near(voxels_[number]);
   return number;
 }
 
-void VoxelIndex::list_what_is_near(Voxel& voxel) {
-  ++question_;
+/// Fills the lists of a new voxel.
+void VoxelIndex::list_hypotheses_near(Voxel& voxel) {
+  ++query_;
   for (const std::uint32_t around : voxel.around) {
     for (const std::uint32_t slot : voxels_[around].slots) {
-      if (entries_[slot].question == question_) continue;
-      entries_[slot].question = question_;
+      if (entries_[slot].query == query_) continue;
+      entries_[slot].query = query_;
       list_at(voxel, slot, entries_[slot].sides);
     }
   }
@@ -63,8 +67,8 @@ std::uint32_t VoxelIndex::voxel_at(const Eigen::Vector3d& point) {
 
 void VoxelIndex::voxels_of(const PosedRibbon& ribbon, std::vector<std::uint32_t>& voxels) {
   voxels.clear();
-  const double length = ribbon.ribbon->length_m / voxel_m_;  // in voxels, as all here
-  const int steps = static_cast<int>(std::ceil(steps_per_voxel * length));
+  const double length = ribbon.ribbon->length_m / voxel_m_;  // in voxels, as all lengths here
+  const int steps = static_cast<int>(std::ceil(kStepsPerVoxel * length));
   const Eigen::Vector3d start = ribbon.point(ribbon.ribbon->samples.start_m, 0.0F) / voxel_m_;
   const Eigen::Vector3d step = (steps > 0 ? length / steps : 0.0) * ribbon.along;
   VoxelKey last{};
@@ -75,15 +79,15 @@ void VoxelIndex::voxels_of(const PosedRibbon& ribbon, std::vector<std::uint32_t>
   }
 }
 
-/// Each voxel once.
+/// Calls function(voxel) for these voxels and their neighbours, each once.
 template <typename Function>
 void VoxelIndex::for_each_voxel_around(const std::vector<std::uint32_t>& voxels,
                                        const Function& function) {
-  ++question_;
+  ++query_;
   for (const std::uint32_t voxel : voxels) {
     for (const std::uint32_t around : voxels_[voxel].around) {
-      if (voxels_[around].question == question_) continue;
-      voxels_[around].question = question_;
+      if (voxels_[around].query == query_) continue;
+      voxels_[around].query = query_;
       function(voxels_[around]);
     }
   }
@@ -106,17 +110,17 @@ void VoxelIndex::enter(std::uint32_t slot, const std::vector<std::uint32_t>& vox
   std::vector<std::uint32_t>& touched = entry.touched;
   const bool is_new = touched.empty();
   if (is_new) touched.reserve(4);
-  fresh_.clear();
+  added_.clear();
   for (const std::uint32_t voxel : voxels) {
-    const auto place = std::lower_bound(touched.begin(), touched.end(), voxel);
-    if (place != touched.end() && *place == voxel) continue;
-    touched.insert(place, voxel);
+    const auto position = std::lower_bound(touched.begin(), touched.end(), voxel);
+    if (position != touched.end() && *position == voxel) continue;
+    touched.insert(position, voxel);
     voxels_[voxel].slots.push_back(slot);
-    fresh_.push_back(voxel);
+    added_.push_back(voxel);
   }
-  if (fresh_.empty()) return;
+  if (added_.empty()) return;
   const int side = first_side(entry.sides);
-  for_each_voxel_around(fresh_, [&](Voxel& voxel) {
+  for_each_voxel_around(added_, [&](Voxel& voxel) {
     if (is_new || !holds(voxel.near[side], slot)) list_at(voxel, slot, entry.sides);
   });
 }

@@ -14,70 +14,76 @@
 
 namespace ribbon_mapper {
 
-/// Which hypotheses are near a place and look the same way: those that touch its voxel or one next
-/// to it. Asked far more often than changed, so each voxel lists all that are near it. Voxels are
-/// numbered as they are met and know those next to them.
+/// Finds the hypotheses near a point or ribbon that were seen from a similar direction.
+///
+/// A hypothesis is near a voxel if it touches that voxel or one of the 26 around it. Queries are
+/// far more frequent than changes, so each voxel lists all hypotheses near it. Hypotheses are known
+/// by their slots, and voxels by numbers in the order of their creation.
 class VoxelIndex {
  public:
+  /// Creates an empty index of voxels with this side.
   explicit VoxelIndex(double voxel_m) : voxel_m_(voxel_m) {}
 
+  /// Returns the voxel that holds a point [m]. Creates it if necessary.
   std::uint32_t voxel_at(const Eigen::Vector3d& point);
 
-  /// Voxels that a ribbon goes through, in its own order, without repetition of neighbours; not
-  /// those of which it cuts a corner only.
+  /// Sets `voxels` to those that a ribbon passes through, in its order, each once in succession.
+  /// Voxels of which it only cuts a corner may be missing.
   void voxels_of(const PosedRibbon& ribbon, std::vector<std::uint32_t>& voxels);
 
-  /// Lists a hypothesis (its slot) for the sides that it is not yet listed for: at first of all.
+  /// Lists a hypothesis for further sides of a cube. Must be called before enter().
   void list(std::uint32_t slot, CubeSides sides);
-  /// Enters it at the voxels that it is not yet entered at.
+  /// Adds voxels to those that a hypothesis touches.
   void enter(std::uint32_t slot, const std::vector<std::uint32_t>& voxels);
-  /// Returns the voxels that a hypothesis was entered at; its slot is as good as new.
+  /// Removes a hypothesis and returns the voxels that it touched. Its slot may be used again.
   std::vector<std::uint32_t> remove(std::uint32_t slot);
 
-  /// Slots near any of the voxels that are listed for the side and for which accepts(slot) is
-  /// true, each once.
+  /// Sets `slots` to the hypotheses near any of the voxels that are listed for `side` and for which
+  /// accepts(slot) is true, each once.
   template <typename Accepts>
   void near(const std::vector<std::uint32_t>& voxels, int side, const Accepts& accepts,
             std::vector<std::uint32_t>& slots) {
     slots.clear();
-    ++question_;
+    ++query_;
     for (const std::uint32_t voxel : voxels) {
       const std::vector<std::uint32_t>& listed = voxels_[voxel].near[side];
       if (accepted_.size() < listed.size()) accepted_.resize(2 * listed.size());
-      std::size_t count = 0;  // without branches, which nobody could predict
+      std::size_t count = 0;  // without branches, which would be unpredictable
       for (const std::uint32_t slot : listed) {
         accepted_[count] = slot;
         count += accepts(slot) ? 1 : 0;
       }
       for (std::size_t i = 0; i < count; ++i) {
         const std::uint32_t slot = accepted_[i];
-        if (entries_[slot].question == question_) continue;
-        entries_[slot].question = question_;
+        if (entries_[slot].query == query_) continue;
+        entries_[slot].query = query_;
         slots.push_back(slot);
       }
     }
   }
 
+  /// Returns the voxels that a hypothesis touches, in ascending order.
   const std::vector<std::uint32_t>& touched_by(std::uint32_t slot) const {
     return entries_[slot].touched;
   }
+  /// Returns the memory in use. Visits every voxel.
   std::size_t memory_bytes() const;
 
  private:
   struct Voxel {
-    std::vector<std::uint32_t> slots;                         // that touch it
-    std::vector<std::uint32_t> around;                        // voxels: itself and those next to it
-    std::array<std::vector<std::uint32_t>, kCubeSides> near;  // by side: slots that touch these
-    std::uint32_t question = 0;                               // the last one that it answered
+    std::vector<std::uint32_t> slots;                         // hypotheses that touch it
+    std::vector<std::uint32_t> around;                        // itself and its neighbours
+    std::array<std::vector<std::uint32_t>, kCubeSides> near;  // hypotheses near it, by side
+    std::uint32_t query = 0;                                  // the last one that visited it
   };
   struct Entry {
     std::vector<std::uint32_t> touched;  // voxels, sorted
-    std::uint32_t question = 0;
+    std::uint32_t query = 0;             // the last one that found it
     CubeSides sides = 0;
   };
 
   std::uint32_t voxel_of(VoxelKey key);
-  void list_what_is_near(Voxel& voxel);
+  void list_hypotheses_near(Voxel& voxel);
   static void list_at(Voxel& voxel, std::uint32_t slot, CubeSides sides);
   template <typename Function>
   void for_each_voxel_around(const std::vector<std::uint32_t>& voxels, const Function& function);
@@ -85,9 +91,9 @@ class VoxelIndex {
   double voxel_m_;
   tsl::robin_map<VoxelKey, std::uint32_t, KeyHash> numbers_;  // of voxels
   std::vector<Voxel> voxels_;
-  std::vector<Entry> entries_;  // by slot
-  std::uint32_t question_ = 0;
-  std::vector<std::uint32_t> accepted_, fresh_;  // scratch
+  std::vector<Entry> entries_;                   // by slot
+  std::uint32_t query_ = 0;                      // number of the latest query
+  std::vector<std::uint32_t> accepted_, added_;  // working memory
 };
 
 }  // namespace ribbon_mapper

@@ -9,17 +9,24 @@
 
 namespace ribbon_mapper {
 
-/// Moments at rest: weight, mean and covariance in half the memory. Single precision is enough
-/// about the mean, where it is not about a far origin.
+/// Moments for storage: weight, mean and covariance in single precision, in half the memory.
+///
+/// Single precision suffices for second moments about the mean, but not for those about the origin
+/// of a large map.
 class CompactMoments {
  public:
+  /// Creates the moments of an empty set.
   CompactMoments() = default;
+  /// Converts the moments of the same set.
   CompactMoments(const Moments& moments);  // NOLINT(google-explicit-constructor): the same set
 
+  /// Returns the sum of the weights.
   double weight() const { return weight_; }
+  /// Returns the mean of the points [m].
   Eigen::Vector3d mean() const { return mean_.cast<double>(); }
+  /// Returns the covariance of the points [m2].
   Eigen::Matrix3d covariance() const;
-  /// The same points, moved, ready for being added up.
+  /// Returns the moments of the points in another frame, in double precision.
   Moments transformed(const Pose& T_target_source) const;
 
  private:

@@ -7,8 +7,9 @@
 
 namespace ribbon_mapper {
 
-/// Spreads keys that are packed from coordinates over a table (finalizer of MurmurHash3).
+/// Hashes keys that are packed from coordinates (finalizer of MurmurHash3).
 struct KeyHash {
+  /// Returns the hash of a key.
   std::size_t operator()(std::uint64_t key) const {
     key = (key ^ (key >> 33)) * 0xff51afd7ed558ccdULL;
     key = (key ^ (key >> 33)) * 0xc4ceb9fe1a85ec53ULL;
@@ -16,7 +17,8 @@ struct KeyHash {
   }
 };
 
-/// The largest integer that is not larger: without a call, which std::floor is on plain x86-64.
+/// Returns the largest integer that is not greater than `x`. Unlike std::floor on baseline x86-64,
+/// this is no function call.
 template <typename Real>
 std::int32_t floor_to_int(Real x) {
   const auto i = static_cast<std::int32_t>(x);

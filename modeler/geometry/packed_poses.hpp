@@ -11,17 +11,23 @@
 
 namespace ribbon_mapper {
 
-/// Poses as quaternion and position: 56 bytes in the place of 128.
+/// A vector of poses stored as quaternion and position: 56 bytes per pose instead of 128.
 class PackedPoses {
  public:
+  /// Appends a pose.
   void push_back(const Pose& pose);
+  /// Replaces the pose at `index`.
   void set(std::size_t index, const Pose& pose) { poses_[index] = packed(pose); }
-  /// Leaves out all but these, in order.
+  /// Removes all poses but those at these ascending indices.
   void keep(const std::vector<std::uint32_t>& indices);
+  /// Unpacks the pose at `index`.
   Pose operator[](std::size_t index) const;
 
+  /// Returns the number of poses.
   std::size_t size() const { return poses_.size(); }
+  /// Returns true if there are no poses.
   bool empty() const { return poses_.empty(); }
+  /// Returns the memory in use.
   std::size_t memory_bytes() const { return poses_.capacity() * sizeof(Packed); }
 
  private:

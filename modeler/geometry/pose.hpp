@@ -8,27 +8,29 @@
 
 namespace ribbon_mapper {
 
-/// Rigid transform. A variable is named `T_target_source`: it takes points of `source` to `target`.
+/// A rigid transform [m]. A variable `T_target_source` transforms points from `source` to `target`.
 using Pose = Eigen::Isometry3d;
 
+/// A pose of the robot with its time.
 struct StampedPose {
-  Time stamp{0};
-  Pose T_map_base = Pose::Identity();
+  Time stamp{0};                       ///< time of the pose
+  Pose T_map_base = Pose::Identity();  ///< pose of base_footprint in map
 };
 
-/// Pose at `fraction` (0 at `from`, 1 at `to`): great-circle rotation, straight translation.
+/// Returns the pose at `fraction` of the way (0 at `from`, 1 at `to`): the rotation along a great
+/// circle, the translation along a straight line.
 Pose interpolate(const Pose& from, const Pose& to, double fraction);
 
-/// Pose in the plane: metres, and radians about +z.
+/// Returns a pose in the plane z = 0 with this heading about +z.
 Pose planar_pose(double x_m, double y_m, double yaw_rad);
 
-/// Heading of the x-axis about +z [rad].
+/// Returns the heading of the x-axis about +z [rad], in -pi..pi.
 double yaw_of(const Pose& pose);
 
-/// Rotation angle of `pose` [rad], in 0..pi.
+/// Returns the rotation angle of `pose` [rad], in 0..pi.
 double angle_of(const Pose& pose);
 
-/// True if every element is finite and the rotation is orthonormal to 1e-6 and no mirror.
+/// Returns true if every element is finite and the rotation is orthonormal to 1e-6 and no mirror.
 bool is_valid(const Pose& pose);
 
 }  // namespace ribbon_mapper

@@ -4,6 +4,7 @@
 
 namespace ribbon_mapper {
 
+/// Returns the square of `x`.
 inline double square(double x) { return x * x; }
 
 }  // namespace ribbon_mapper

@@ -7,11 +7,13 @@
 
 namespace ribbon_mapper {
 
-/// Time since the epoch of the clock in use (wall or simulated), exact to the nanosecond as in ROS.
+/// Time since the epoch of the clock in use (wall or simulated), in nanoseconds as in ROS.
 using Time = std::chrono::nanoseconds;
 
+/// Returns a time in seconds.
 inline double to_seconds(Time time) { return std::chrono::duration<double>(time).count(); }
 
+/// Returns a time from seconds, rounded to the nanosecond.
 inline Time from_seconds(double seconds) {
   return Time(static_cast<Time::rep>(std::llround(seconds * 1e9)));
 }

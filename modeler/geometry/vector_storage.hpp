@@ -8,8 +8,8 @@
 
 namespace ribbon_mapper {
 
-/// Makes room for one more element. Capacity grows by an eighth, as doubling would leave up to half
-/// of it unused.
+/// Reserves memory for one more element. The capacity grows by an eighth, since doubling would
+/// leave up to half of it unused.
 template <typename Element>
 void reserve_one_more(std::vector<Element>& elements) {
   if (elements.size() == elements.capacity()) {
@@ -17,7 +17,7 @@ void reserve_one_more(std::vector<Element>& elements) {
   }
 }
 
-/// Keeps only the elements at these ascending indices.
+/// Removes all elements but those at these ascending indices.
 template <typename Element>
 void keep_indices(const std::vector<std::uint32_t>& indices, std::vector<Element>& elements) {
   for (std::size_t i = 0; i < indices.size(); ++i) elements[i] = elements[indices[i]];

@@ -9,27 +9,30 @@
 
 namespace ribbon_mapper {
 
-/// A voxel's place, 21 bits for each coordinate (+-10^6 voxels), offset so that the difference of
-/// two keys is that of the places.
+/// The integer coordinates of a voxel (within +-10^6 voxels), packed into one number. The keys of
+/// neighbouring voxels differ by constants.
 using VoxelKey = std::uint64_t;
+
+/// Number of bits of each coordinate in a VoxelKey.
 constexpr int kVoxelKeyBits = 21;
 
-/// Of a point in units of voxels.
+/// Returns the key of the voxel that holds a point, given in units of voxels.
 inline VoxelKey voxel_key(const Eigen::Vector3d& point) {
   constexpr std::int64_t mask = (1 << kVoxelKeyBits) - 1, middle = 1 << (kVoxelKeyBits - 1);
   VoxelKey key = 0;
   for (int i = 0; i < 3; ++i) {
-    const auto place = static_cast<std::int64_t>(point[i] + middle);  // positive: rounds down
-    key = (key << kVoxelKeyBits) | static_cast<VoxelKey>(place & mask);
+    const auto coordinate = static_cast<std::int64_t>(point[i] + middle);  // positive: rounds down
+    key = (key << kVoxelKeyBits) | static_cast<VoxelKey>(coordinate & mask);
   }
   return key;
 }
 
+/// Returns the key of the voxel that holds a point [m], for voxels of this side.
 inline VoxelKey voxel_key(const Eigen::Vector3d& point, double voxel_m) {
   return voxel_key((1.0 / voxel_m) * point);
 }
 
-/// Calls function(key) for the voxel itself and the 26 next to it.
+/// Calls function(key) for the voxel itself and its 26 neighbours.
 template <typename Function>
 void for_each_around(VoxelKey key, const Function& function) {
   for (int dx = -1; dx <= 1; ++dx) {

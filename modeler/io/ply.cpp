@@ -66,11 +66,11 @@ void append_corners(std::string& bytes, const Plane& plane, const CellRectangle&
 
 }  // namespace
 
-std::string planes_to_ply_mesh(const std::vector<Plane>& planes) {
+std::string planes_to_ply_mesh(const std::vector<Plane>& planes, double stripe_gap_m) {
   std::string vertices, faces;
   std::int32_t corners = 0;
   for (const Plane& plane : planes) {
-    for (const CellRectangle& rectangle : surface_rectangles(plane)) {
+    for (const CellRectangle& rectangle : surface_rectangles(plane, stripe_gap_m)) {
       append_corners(vertices, plane, rectangle);
       append_faces(faces, corners, plane.id);
       corners += 4;

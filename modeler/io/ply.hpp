@@ -12,8 +12,9 @@ namespace ribbon_mapper {
 // Binary little-endian PLY, metres, map frame, colours from plane_colour().
 
 /// Converts planes to a triangle mesh that faces the observed side. Vertices have a normal and a
-/// colour, faces the id of their plane.
-std::string planes_to_ply_mesh(const std::vector<Plane>& planes);
+/// colour, faces the id of their plane. Stripes between scan lines of up to `stripe_gap_m` are
+/// closed.
+std::string planes_to_ply_mesh(const std::vector<Plane>& planes, double stripe_gap_m);
 
 /// Converts planes to a cloud of the centres of their cells, each with the normal, colour and id of
 /// its plane.

@@ -24,14 +24,14 @@ void check_save_name(const std::string& name) {
 }
 
 std::vector<fs::path> save_model(const std::vector<Plane>& planes, const fs::path& directory,
-                                 const std::string& name) {
+                                 const std::string& name, double stripe_gap_m) {
   check_save_name(name);
   create_directory_for_files(directory);
   const std::vector<fs::path> paths{directory / (name + ".json"), directory / (name + ".ply"),
                                     directory / (name + "_cells.ply"), directory / (name + ".bt")};
   std::vector<StagedFile> files;
   files.emplace_back(paths[0], planes_to_json(planes));
-  files.emplace_back(paths[1], planes_to_ply_mesh(planes));
+  files.emplace_back(paths[1], planes_to_ply_mesh(planes, stripe_gap_m));
   files.emplace_back(paths[2], planes_to_ply_cloud(planes));
   files.emplace_back(paths[3], planes_to_octomap(planes));
   for (StagedFile& file : files) file.commit();

@@ -16,51 +16,52 @@
 namespace ribbon_mapper {
 namespace {
 
-constexpr double place_m = 0.25;  // five cells: a few lines of one sweep
+constexpr double kVoxel_m = 0.25;  // five cells wide: holds a few lines of one tilt of the laser
 
-/// How many ribbons see each place from each of six sides.
+/// Counts the ribbons that see each voxel from each of six sides.
 class Density {
  public:
   explicit Density(const PosedObservations& observations) {
     for (std::uint32_t i = 0; i < observations.ribbon_count(); ++i) {
-      first_.push_back(static_cast<std::uint32_t>(places_.size()));
+      first_.push_back(static_cast<std::uint32_t>(voxels_.size()));
       enter(observations.ribbon(i));
     }
-    first_.push_back(static_cast<std::uint32_t>(places_.size()));
+    first_.push_back(static_cast<std::uint32_t>(voxels_.size()));
   }
 
-  /// Of a ribbon's places, the number of ribbons in the least seen one.
-  std::uint32_t least(std::uint32_t ribbon) const {
-    std::uint32_t least = counts_[places_[first_[ribbon]]];
+  /// Returns the smallest number of ribbons in any voxel of a ribbon, this ribbon included.
+  std::uint32_t min_density(std::uint32_t ribbon) const {
+    std::uint32_t min_count = counts_[voxels_[first_[ribbon]]];
     for (std::uint32_t i = first_[ribbon]; i < first_[ribbon + 1]; ++i) {
-      least = std::min(least, counts_[places_[i]]);
+      min_count = std::min(min_count, counts_[voxels_[i]]);
     }
-    return least;
+    return min_count;
   }
 
-  void leave_out(std::uint32_t ribbon) {
-    for (std::uint32_t i = first_[ribbon]; i < first_[ribbon + 1]; ++i) --counts_[places_[i]];
+  /// Removes a ribbon from the counts.
+  void remove(std::uint32_t ribbon) {
+    for (std::uint32_t i = first_[ribbon]; i < first_[ribbon + 1]; ++i) --counts_[voxels_[i]];
   }
 
  private:
   void enter(const PosedRibbon& ribbon) {
     const double length_m = ribbon.ribbon->length_m;
-    const int steps = static_cast<int>(std::ceil(length_m / place_m));
+    const int steps = static_cast<int>(std::ceil(length_m / kVoxel_m));
     for (int i = 0; i <= steps; ++i) {
       const double along_m = ribbon.ribbon->samples.start_m + length_m * i / std::max(1, steps);
-      const VoxelKey voxel = voxel_key(ribbon.centroid + along_m * ribbon.along, place_m);
+      const VoxelKey voxel = voxel_key(ribbon.centroid + along_m * ribbon.along, kVoxel_m);
       const std::uint64_t key = KeyHash()(voxel) ^ static_cast<VoxelKey>(cube_side(ribbon.normal));
       const auto number = static_cast<std::uint32_t>(counts_.size());
-      const auto [place, is_new] = numbers_.try_emplace(key, number);
+      const auto [entry, is_new] = numbers_.try_emplace(key, number);
       if (is_new) counts_.push_back(0);
-      ++counts_[place->second];
-      places_.push_back(place->second);
+      ++counts_[entry->second];
+      voxels_.push_back(entry->second);
     }
   }
 
-  tsl::robin_map<std::uint64_t, std::uint32_t> numbers_;  // of places
-  std::vector<std::uint32_t> counts_;                     // of each place
-  std::vector<std::uint32_t> first_, places_;             // of each ribbon
+  tsl::robin_map<std::uint64_t, std::uint32_t> numbers_;  // of voxels and sides
+  std::vector<std::uint32_t> counts_;                     // of ribbons, by number
+  std::vector<std::uint32_t> first_, voxels_;             // numbers by ribbon: from first_[i] on
 };
 
 }  // namespace
@@ -71,24 +72,25 @@ std::vector<std::uint32_t> thinned(const PosedObservations& observations, std::s
   std::iota(kept.begin(), kept.end(), 0u);
   if (all <= count) return kept;
   Density density(observations);
-  // Density, lot, ribbon: of those that are equally dense, none is the first by its place or time.
+  // Density, tie breaker, ribbon. The tie breaker is a hash, so that among equally dense ribbons
+  // neither position nor time decides.
   std::priority_queue<std::tuple<std::uint32_t, std::size_t, std::uint32_t>> densest;
-  for (std::uint32_t i = 0; i < all; ++i) densest.emplace(density.least(i), KeyHash()(i), i);
-  std::vector<bool> is_left_out(all, false);
-  for (std::size_t left_out = 0; left_out < all - count;) {
-    const auto [density_then, lot, ribbon] = densest.top();
+  for (std::uint32_t i = 0; i < all; ++i) densest.emplace(density.min_density(i), KeyHash()(i), i);
+  std::vector<bool> is_removed(all, false);
+  for (std::size_t removed = 0; removed < all - count;) {
+    const auto [former_density, tie_breaker, ribbon] = densest.top();
     densest.pop();
-    const std::uint32_t now = density.least(ribbon);
-    if (now < density_then) {  // others have gone since
-      densest.emplace(now, lot, ribbon);
+    const std::uint32_t now = density.min_density(ribbon);
+    if (now < former_density) {  // others were removed meanwhile
+      densest.emplace(now, tie_breaker, ribbon);
       continue;
     }
-    density.leave_out(ribbon);
-    is_left_out[ribbon] = true;
-    ++left_out;
+    density.remove(ribbon);
+    is_removed[ribbon] = true;
+    ++removed;
   }
   kept.erase(
-      std::remove_if(kept.begin(), kept.end(), [&](std::uint32_t i) { return is_left_out[i]; }),
+      std::remove_if(kept.begin(), kept.end(), [&](std::uint32_t i) { return is_removed[i]; }),
       kept.end());
   return kept;
 }

@@ -10,9 +10,10 @@
 
 namespace ribbon_mapper {
 
-/// Indices, in order, of the `count` ribbons to keep so that the thinnest places stay as they are:
-/// one after the other, the ribbon is left out whose every stretch is seen by the most others that
-/// look the same way. All if there are no more than that.
+/// Returns the ascending indices of the `count` ribbons to keep, or all if there are no more.
+///
+/// Repeatedly drops the ribbon whose least-covered stretch is covered by the most ribbons of
+/// similar orientation. So sparsely observed areas are never thinned.
 std::vector<std::uint32_t> thinned(const PosedObservations& observations, std::size_t count);
 
 }  // namespace ribbon_mapper

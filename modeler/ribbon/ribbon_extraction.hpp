@@ -5,6 +5,7 @@
 #include <optional>
 #include <vector>
 
+#include "modeler/geometry/plane_fit.hpp"
 #include "modeler/ribbon/line_observations.hpp"
 #include "modeler/ribbon/sample_packer.hpp"
 #include "modeler/ribbon/surfel.hpp"

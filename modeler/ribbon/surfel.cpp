@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "modeler/geometry/plane_fit.hpp"
+
 namespace ribbon_mapper {
 namespace {
 

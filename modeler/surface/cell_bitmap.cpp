@@ -7,7 +7,8 @@
 namespace ribbon_mapper {
 namespace {
 
-/// In cells, positive if counter-clockwise: the boundary of a hole is not.
+/// Returns the area [cells] inside a boundary: positive if it is counter-clockwise, negative for
+/// the boundary of a hole.
 double signed_area(const std::vector<GridCorner>& corners) {
   double twice = 0.0;
   for (std::size_t i = 0; i < corners.size(); ++i) {
@@ -24,7 +25,7 @@ void set_bit(Words& words, std::size_t i) { words[i / 64] |= std::uint64_t{1} <<
 
 void clear_bit(Words& words, std::size_t i) { words[i / 64] &= ~(std::uint64_t{1} << (i % 64)); }
 
-/// Joins each bit with the one `shift` bits ahead; beyond the end there are zeros.
+/// Replaces each bit by its combination with the one `shift` bits ahead. Bits beyond the end are 0.
 template <typename Join>
 void join_ahead(Words& words, std::size_t shift, const Join& join) {
   const std::size_t skip = shift / 64, low = shift % 64;
@@ -35,11 +36,14 @@ void join_ahead(Words& words, std::size_t shift, const Join& join) {
   }
 }
 
-/// Joins each bit with the one `shift` bits behind; before the start there are zeros.
+/// Replaces each bit by its combination with the one `shift` bits behind. Bits before the start are
+/// 0.
 template <typename Join>
 void join_behind(Words& words, std::size_t shift, const Join& join) {
   const std::size_t skip = shift / 64, low = shift % 64;
-  const auto word = [&](std::size_t i) { return i < words.size() ? words[i] : 0; };  // -1: large
+  const auto word = [&](std::size_t i) {
+    return i < words.size() ? words[i] : 0;
+  };  // wraps round: i < skip
   for (std::size_t i = words.size(); i-- > 0;) {
     const std::uint64_t next = low > 0 ? word(i - skip - 1) >> (64 - low) : 0;
     words[i] = join(words[i], (word(i - skip) << low) | next);
@@ -57,8 +61,8 @@ CellBitmap::CellBitmap(const std::vector<PlaneCell>& cells, int margin) : margin
   }
   u0_ -= margin, v0_ -= margin;
   columns_ = u_max - u0_ + margin + 2, rows_ = v_max - v0_ + margin + 1;
-  seen_.assign(place(0, rows_) / 64 + 1, 0);
-  for (const PlaneCell& cell : cells) set_bit(seen_, place(cell.u - u0_, cell.v - v0_));
+  seen_.assign(index(0, rows_) / 64 + 1, 0);
+  for (const PlaneCell& cell : cells) set_bit(seen_, index(cell.u - u0_, cell.v - v0_));
 }
 
 void CellBitmap::close() {
@@ -66,11 +70,11 @@ void CellBitmap::close() {
   join_neighbours([](std::uint64_t a, std::uint64_t b) { return a & b; });
 }
 
-/// Each cell becomes what all within the margin of it are together, along rows, then columns, on
-/// both sides; beyond the picture nothing is seen. The number of cells joined doubles each time.
+/// Replaces each cell by the combination of all cells within the margin, along rows, then columns.
+/// Cells beyond the bitmap are unseen. The number of combined cells doubles in each step.
 template <typename Join>
 void CellBitmap::join_neighbours(const Join& join) {
-  for (const std::size_t step : {std::size_t{1}, place(0, 1)}) {
+  for (const std::size_t step : {std::size_t{1}, index(0, 1)}) {
     for (int joined = 1, more = 0; joined <= margin_; joined += more) {
       more = std::min(joined, margin_ + 1 - joined);
       join_ahead(seen_, more * step, join);
@@ -105,8 +109,8 @@ std::vector<CellRectangle> CellBitmap::rectangles() const {
 }
 
 std::vector<GridCorner> CellBitmap::outer_boundary() const {
-  Words lower_edges = seen_;  // of seen cells, until they were walked along
-  join_behind(lower_edges, place(0, 1), [](auto cell, auto below) { return cell & ~below; });
+  Words lower_edges = seen_;  // lower edges of seen cells that no boundary has followed yet
+  join_behind(lower_edges, index(0, 1), [](auto cell, auto below) { return cell & ~below; });
   std::vector<GridCorner> largest;
   double largest_area = 0.0;
   for (std::size_t i = 0; i < lower_edges.size(); ++i) {
@@ -122,17 +126,17 @@ std::vector<GridCorner> CellBitmap::outer_boundary() const {
   return largest;
 }
 
-/// Walks along the edges with the seen cells to the left, from the lower edge of cell (u, v) on;
-/// where two cells touch by a corner only, they are kept together. Takes out the lower edges that
-/// it comes along.
+/// Follows the boundary with seen cells to its left, starting at the lower edge of cell (u, v).
+/// Cells that touch at a corner only are kept together. Clears the lower edges that it passes.
 std::vector<GridCorner> CellBitmap::follow(int u, int v, Words& lower_edges) const {
   constexpr int step_u[] = {1, 0, -1, 0}, step_v[] = {0, 1, 0, -1};
-  constexpr int left_u[] = {0, -1, -1, 0}, left_v[] = {0, 0, -1, -1};  // cell left of a step
+  constexpr int left_u[] = {0, -1, -1, 0},
+                left_v[] = {0, 0, -1, -1};  // the cell to the left of a step
   const int start_u = u, start_v = v;
   int heading = 0;
   std::vector<GridCorner> corners;
   do {
-    if (heading == 0) clear_bit(lower_edges, place(u, v));
+    if (heading == 0) clear_bit(lower_edges, index(u, v));
     u += step_u[heading], v += step_v[heading];
     for (const int turn : {3, 0, 1}) {  // right, straight, left
       const int next = (heading + turn) % 4;

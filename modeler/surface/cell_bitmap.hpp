@@ -9,40 +9,43 @@
 
 namespace ribbon_mapper {
 
-/// A corner of the grid: the lower left one of cell (u, v).
+/// A corner of the grid.
 struct GridCorner {
-  std::int32_t u = 0, v = 0;
+  std::int32_t u = 0;  ///< column of the cell of which this is the lower left corner
+  std::int32_t v = 0;  ///< row of that cell
 };
 
-/// The seen cells of a plane as a picture with a margin around it, 64 of them to a word. There must
-/// be cells.
+/// A bitmap of the seen cells of a plane with a margin around them, 64 cells to a word.
 class CellBitmap {
  public:
+  /// Creates a bitmap of at least one cell, with a margin of this many cells on each side.
   CellBitmap(const std::vector<PlaneCell>& cells, int margin);
 
-  /// Dilates, then erodes by a square of the margin: stripes between scan lines are closed.
+  /// Closes gaps of up to twice the margin, such as the stripes between scan lines: dilates by a
+  /// square that reaches as far as the margin, then erodes by it.
   void close();
 
-  /// Runs of each row; runs alike in successive rows become one rectangle.
+  /// Returns rectangles that cover each seen cell once: the runs of each row, with equal runs of
+  /// successive rows united.
   std::vector<CellRectangle> rectangles() const;
 
-  /// The boundary around the largest area, counter-clockwise, corners only.
+  /// Returns the corners of the boundary that encloses the largest area, counter-clockwise.
   std::vector<GridCorner> outer_boundary() const;
 
  private:
   using Words = std::vector<std::uint64_t>;
 
-  std::size_t place(int u, int v) const { return static_cast<std::size_t>(v) * columns_ + u; }
+  std::size_t index(int u, int v) const { return static_cast<std::size_t>(v) * columns_ + u; }
   bool seen(int u, int v) const {
     if (u < 0 || v < 0 || u >= columns_ || v >= rows_) return false;
-    return (seen_[place(u, v) / 64] >> (place(u, v) % 64)) & 1;
+    return (seen_[index(u, v) / 64] >> (index(u, v) % 64)) & 1;
   }
   template <typename Join>
   void join_neighbours(const Join& join);
   std::vector<GridCorner> follow(int u, int v, Words& lower_edges) const;
 
   int margin_, u0_, v0_;
-  /// The last column stays empty, so that what is joined beyond the end of a row is unseen, too.
+  // The last column stays empty, so that cells combined beyond the end of a row are unseen.
   int columns_, rows_;
   Words seen_;  // row after row
 };

@@ -10,13 +10,17 @@
 namespace ribbon_mapper {
 namespace {
 
-constexpr std::uint32_t none = UINT32_MAX;
+constexpr std::uint32_t kNone = UINT32_MAX;  // no block, no run
 
-/// Cells fall into blocks so small that all in a block are connected; blocks are then joined where
-/// two of their cells are near enough. Within a block, cells that follow each other are one run.
-/// Blocks are met in bands, and joined with those of the few bands before that are in reach.
+/// Single linkage of cells.
+///
+/// Cells are sorted into blocks that are so small that all cells of a block are connected. Blocks
+/// with two cells near enough are joined (union-find). Within a block, adjacent cells of a row form
+/// a run. Blocks are processed in bands of rows, and joined with those of the few earlier bands
+/// within reach.
 class Linkage {
  public:
+  /// Links cells within `gap_in_cells` of each other. There must be cells, sorted by (v, u).
   Linkage(const std::vector<PlaneCell>& cells, double gap_in_cells)
       : gap_square_(gap_in_cells * gap_in_cells) {
     side_ = std::max(1, static_cast<int>(gap_in_cells / M_SQRT2) + 1);
@@ -26,9 +30,9 @@ class Linkage {
     find_runs(cells);
   }
 
-  /// Of each cell, the number of its component.
+  /// Returns the number of each cell's component; the largest component is number 0.
   std::vector<int> components(std::size_t cell_count) {
-    std::vector<std::uint32_t> sizes(blocks_.size(), 0), order;  // of those that are a root
+    std::vector<std::uint32_t> sizes(blocks_.size(), 0), order;  // of root blocks
     for (const Run& run : runs_) sizes[root_of(run.block)] += run.length;
     for (std::uint32_t block = 0; block < blocks_.size(); ++block) {
       if (sizes[block] > 0) order.push_back(block);
@@ -48,7 +52,7 @@ class Linkage {
   struct Run {
     std::int32_t u, v;
     std::uint32_t length, block;
-    std::uint32_t previous;  // run of the block
+    std::uint32_t previous;  // run of the same block, or kNone
   };
   struct Block {
     std::int32_t column;
@@ -57,16 +61,17 @@ class Linkage {
 
   int block_of(int cell) const { return floor_to_int((cell + 0.5) / side_); }
 
-  /// As wide as the plane and, on both sides, the reach.
+  /// Creates empty bands, as wide as the cells plus the reach on both sides.
   void make_bands(const std::vector<PlaneCell>& cells) {
     const auto [left, right] =
         std::minmax_element(cells.begin(), cells.end(),
                             [](const PlaneCell& a, const PlaneCell& b) { return a.u < b.u; });
     first_column_ = block_of(left->u) - reach_;
     const int columns = block_of(right->u) + reach_ + 1 - first_column_;
-    bands_.assign(reach_ + 1, std::vector<std::uint32_t>(columns, none));
+    bands_.assign(reach_ + 1, std::vector<std::uint32_t>(columns, kNone));
   }
 
+  /// Divides the cells into runs and their blocks, and joins the blocks band by band.
   void find_runs(const std::vector<PlaneCell>& cells) {
     int band = block_of(cells.front().v);
     for (std::size_t i = 0; i < cells.size(); i += runs_.back().length) {
@@ -75,7 +80,7 @@ class Linkage {
       if (next_band != band) join_band(), move_on(next_band - band), band = next_band;
       const std::size_t end =
           std::min<std::size_t>(cells.size(), i + (column + 1) * side_ - first.u);
-      Run run{first.u, first.v, 1, block_at(column), none};
+      Run run{first.u, first.v, 1, block_at(column), kNone};
       while (i + run.length < end && cells[i + run.length].v == run.v &&
              cells[i + run.length].u == run.u + static_cast<int>(run.length)) {
         ++run.length;
@@ -87,30 +92,32 @@ class Linkage {
     join_band();
   }
 
-  /// Blocks are numbered by their first cells.
+  /// Returns the block at a column of the latest band. Blocks are numbered by their first cells.
   std::uint32_t block_at(int column) {
     std::uint32_t& block = bands_.front()[column - first_column_];
-    if (block == none) {
+    if (block == kNone) {
       block = static_cast<std::uint32_t>(blocks_.size());
-      blocks_.push_back({column, none, block});
+      blocks_.push_back({column, kNone, block});
     }
     return block;
   }
 
+  /// Moves on by a number of bands.
   void move_on(int bands) {
     for (int i = 0; i < std::min(bands, reach_ + 1); ++i) {
       std::rotate(bands_.begin(), bands_.end() - 1, bands_.end());
-      std::fill(bands_.front().begin(), bands_.front().end(), none);
+      std::fill(bands_.front().begin(), bands_.front().end(), kNone);
     }
     first_of_band_ = static_cast<std::uint32_t>(blocks_.size());
   }
 
+  /// Joins the blocks of the latest band with all blocks before them within reach.
   void join_band() {
     for (std::uint32_t block = first_of_band_; block < blocks_.size(); ++block) {
       for (int dv = 0; dv <= reach_; ++dv) {
         const std::uint32_t* const middle = &bands_[dv][blocks_[block].column - first_column_];
         for (int du = -reach_; du <= (dv == 0 ? -1 : reach_); ++du) {
-          if (middle[du] != none) join(block, middle[du]);
+          if (middle[du] != kNone) join(block, middle[du]);
         }
       }
     }
@@ -122,9 +129,10 @@ class Linkage {
     blocks_[std::max(root_a, root_b)].parent = std::min(root_a, root_b);
   }
 
+  /// Returns true if two cells of these blocks are within the gap.
   bool are_near(std::uint32_t a, std::uint32_t b) const {
-    for (std::uint32_t i = blocks_[a].last_run; i != none; i = runs_[i].previous) {
-      for (std::uint32_t j = blocks_[b].last_run; j != none; j = runs_[j].previous) {
+    for (std::uint32_t i = blocks_[a].last_run; i != kNone; i = runs_[i].previous) {
+      for (std::uint32_t j = blocks_[b].last_run; j != kNone; j = runs_[j].previous) {
         const Run &p = runs_[i], &q = runs_[j];
         const int p_last = p.u + static_cast<int>(p.length) - 1;
         const int q_last = q.u + static_cast<int>(q.length) - 1;
@@ -146,7 +154,7 @@ class Linkage {
   int side_, reach_, first_column_ = 0;
   std::vector<Run> runs_;
   std::vector<Block> blocks_;
-  std::uint32_t first_of_band_ = 0;                // block
+  std::uint32_t first_of_band_ = 0;                // first block of the latest band
   std::vector<std::vector<std::uint32_t>> bands_;  // blocks by column; the latest band first
 };
 

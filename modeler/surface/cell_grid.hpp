@@ -15,35 +15,41 @@
 
 namespace ribbon_mapper {
 
-/// The grid of a plane while it is filled: seen, count, mean and variance of each cell (section 6).
-/// Space for it is taken in tiles where something was seen.
+/// Accumulates the cells of a plane's grid: count, mean and variance of the points in each (section
+/// 6 of the paper). Memory is allocated in tiles where something was seen.
 class CellGrid {
  public:
-  /// `frame` says where the plane and its axes are; its cells are ignored.
+  /// Creates an empty grid on the plane and axes of `frame`, whose cells are ignored.
   explicit CellGrid(const Plane& frame);
 
-  /// Column and row, with fractions, and distance from the plane [m].
-  Eigen::Vector3d place_of(const Eigen::Vector3d& point) const {
+  /// Returns the position of a point in the grid: fractional column and row [cells], and distance
+  /// from the plane [m].
+  Eigen::Vector3d grid_position(const Eigen::Vector3d& point) const {
     return to_grid_.col(0) * point.x() + to_grid_.col(1) * point.y() + to_grid_.col(2) * point.z() +
            grid_shift_;
   }
 
+  /// Adds the samples of a ribbon.
   void add(const PosedSamples& ribbon);
-  void add(const Eigen::Vector3d& point, std::uint32_t count) { add_at(place_of(point), count); }
-  /// A point whose place is known.
-  void add_at(const Eigen::Vector3d& place, std::uint32_t count) {
-    const int u = floor_to_int(place.x()), v = floor_to_int(place.y());
-    const auto distance_m = static_cast<float>(place.z());
+  /// Adds `count` points at the same point [m].
+  void add(const Eigen::Vector3d& point, std::uint32_t count) {
+    add_at(grid_position(point), count);
+  }
+  /// Adds `count` points at the same grid_position().
+  void add_at(const Eigen::Vector3d& position, std::uint32_t count) {
+    const int u = floor_to_int(position.x()), v = floor_to_int(position.y());
+    const auto distance_m = static_cast<float>(position.z());
     tile_of(u, v).at(u, v).add(static_cast<float>(count), distance_m, 0.0F);
   }
 
-  /// Sorted by (v, u). Leaves out what noise spilled: it carries a few points over the edge of what
-  /// many have seen.
+  /// Returns the seen cells, sorted by (v, u). Leaves out cells with a few points that noise
+  /// carried over the edge of a well-seen surface.
   std::vector<PlaneCell> cells() const;
 
  private:
-  static constexpr int tile_bits = 4, tile_side = 1 << tile_bits;
+  static constexpr int kTileBits = 4, kTileSide = 1 << kTileBits;
 
+  /// Sums over the points of a cell.
   struct Sums {
     void add(float points, float distance, float own_square_m2) {
       count += points;
@@ -53,18 +59,18 @@ class CellGrid {
     float count = 0.0F, distance_m = 0.0F, square_m2 = 0.0F;
   };
 
-  /// Cells [u0, u0 + side) x [v0, v0 + side).
+  /// The cells [u0, u0 + side) x [v0, v0 + side).
   struct Tile {
     Tile(int u0_, int v0_) : u0(u0_), v0(v0_) {}
 
     bool covers(int u, int v) const {
-      return static_cast<unsigned>((u - u0) | (v - v0)) < unsigned{tile_side};
+      return static_cast<unsigned>((u - u0) | (v - v0)) < unsigned{kTileSide};
     }
-    Sums& at(int u, int v) { return sums[(v - v0) * tile_side + (u - u0)]; }
-    const Sums& at(int u, int v) const { return sums[(v - v0) * tile_side + (u - u0)]; }
+    Sums& at(int u, int v) { return sums[(v - v0) * kTileSide + (u - u0)]; }
+    const Sums& at(int u, int v) const { return sums[(v - v0) * kTileSide + (u - u0)]; }
 
     int u0, v0;
-    std::array<Sums, tile_side * tile_side> sums;
+    std::array<Sums, kTileSide * kTileSide> sums;
   };
   using TileRow = TwoSidedVector<std::unique_ptr<Tile>>;
   struct Screened;
@@ -72,13 +78,15 @@ class CellGrid {
   Tile& tile_of(int u, int v);
   void append_cells(int row, std::vector<PlaneCell>& cells) const;
 
-  Eigen::Matrix3d to_grid_;  // rows: axis_u, axis_v in cells; normal in metres
+  Eigen::Matrix3d to_grid_;  // rows: axis_u and axis_v [cells], normal [m]
   Eigen::Vector3d grid_shift_;
   TwoSidedVector<TileRow> tiles_;  // by row, then column of tiles
 };
 
-/// Component of each cell, numbered by size from 0 (the largest) on: cells whose centres lie within
-/// `gap_m` of each other are connected (single linkage). Cells are sorted as a plane's.
+/// Returns the number of each cell's component, in descending order of size from 0 on.
+///
+/// Cells whose centres lie within `gap_m` of each other are connected (single linkage). The cells
+/// must be sorted by (v, u).
 std::vector<int> connected_components(const std::vector<PlaneCell>& cells, double cell_size_m,
                                       double gap_m);
 

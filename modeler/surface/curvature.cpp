@@ -12,25 +12,27 @@ namespace ribbon_mapper {
 namespace {
 
 using Vector6d = Eigen::Matrix<double, 6, 1>;
-constexpr std::size_t min_cells = 12;    // to tell a shape
-constexpr std::uint32_t min_points = 4;  // of a well-seen cell
-
 using Matrix6d = Eigen::Matrix<double, 6, 6>;
 
-/// Sums for the fit of the heights h(u, v) = c0 + c1 u + c2 v + (c3 u^2 + 2 c4 u v + c5 v^2) / 2:
-/// the normal equations hold few products of powers, each of them several times.
-struct QuadricSums {
-  double powers[5][5] = {};   // of u and v, up to four together
-  double heights[3][3] = {};  // times u and v, up to two together
-  double square = 0.0;        // of heights
+constexpr std::size_t kMinCells = 12;    // of a surface whose shape is estimated
+constexpr std::uint32_t kMinPoints = 4;  // of a well-seen cell
 
-  /// Cells of one row: sums over u first.
+/// Sums for the least-squares fit of the heights
+/// h(u, v) = c0 + c1 u + c2 v + (c3 u^2 + 2 c4 u v + c5 v^2) / 2.
+///
+/// The normal equations contain few different products of powers, each several times.
+struct QuadricSums {
+  double powers[5][5] = {};   // of u^i v^j, for i + j <= 4
+  double heights[3][3] = {};  // of h u^i v^j, for i + j <= 2
+  double square = 0.0;        // of h^2
+
+  /// Adds the cells of one row.
   void add_row(const Plane& plane, const PlaneCell* begin, const PlaneCell* end, double u0_m,
                double v_m) {
     double row_powers[5] = {}, row_heights[3] = {};
     for (const PlaneCell* cell = begin; cell != end; ++cell) {
       const double u = u0_m + (cell->u + 0.5) * plane.cell_size_m, height = cell->mean_m;
-      const double w = cell->count;  // few points, often an edge's, make a poor mean
+      const double w = cell->count;  // the mean of few points, often at an edge, is poor
       const double wu = w * u, wuu = wu * u;
       row_powers[0] += w, row_powers[1] += wu, row_powers[2] += wuu;
       row_powers[3] += wuu * u, row_powers[4] += wuu * u * u;
@@ -44,30 +46,33 @@ struct QuadricSums {
     }
   }
 
+  /// Returns the matrix of the normal equations.
   Matrix6d normal_matrix() const {
     Matrix6d matrix;
     for (int a = 0; a < 6; ++a) {
       for (int b = 0; b < 6; ++b) {
-        matrix(a, b) = factor[a] * factor[b] * powers[of_u[a] + of_u[b]][of_v[a] + of_v[b]];
+        matrix(a, b) = kFactor[a] * kFactor[b] *
+                       powers[kPowerOfU[a] + kPowerOfU[b]][kPowerOfV[a] + kPowerOfV[b]];
       }
     }
     return matrix;
   }
-  Vector6d right() const {
+  /// Returns the right side of the normal equations.
+  Vector6d right_side() const {
     Vector6d right;
-    for (int a = 0; a < 6; ++a) right[a] = factor[a] * heights[of_u[a]][of_v[a]];
+    for (int a = 0; a < 6; ++a) right[a] = kFactor[a] * heights[kPowerOfU[a]][kPowerOfV[a]];
     return right;
   }
 
  private:
-  static constexpr int of_u[6] = {0, 1, 0, 2, 1, 0}, of_v[6] = {0, 0, 1, 0, 1, 2};
-  static constexpr double factor[6] = {1.0, 1.0, 1.0, 0.5, 1.0, 0.5};
+  static constexpr int kPowerOfU[6] = {0, 1, 0, 2, 1, 0}, kPowerOfV[6] = {0, 0, 1, 0, 1, 2};
+  static constexpr double kFactor[6] = {1.0, 1.0, 1.0, 0.5, 1.0, 0.5};
 };
 
 }  // namespace
 
 Curvature curvature_of(const Plane& plane) {
-  if (plane.cells.size() < min_cells) return {0.0, std::numeric_limits<double>::infinity(), 0.0};
+  if (plane.cells.size() < kMinCells) return {0.0, std::numeric_limits<double>::infinity(), 0.0};
   QuadricSums sums;
   const Eigen::Vector3d from_centroid = plane.origin - plane.centroid;
   const double u0 = from_centroid.dot(plane.axis_u), v0 = from_centroid.dot(plane.axis_v);
@@ -77,13 +82,13 @@ Curvature curvature_of(const Plane& plane) {
     sums.add_row(plane, row, next, u0, v0 + (row->v + 0.5) * plane.cell_size_m);
   }
   const Matrix6d normal_matrix = sums.normal_matrix();
-  const Vector6d right = sums.right();
+  const Vector6d right_side = sums.right_side();
   const Eigen::LDLT<Matrix6d> solver(normal_matrix);
-  const Vector6d c = solver.solve(right);
-  const double variance =
-      std::max(0.0, sums.square - c.dot(right)) / (static_cast<double>(plane.cells.size()) - 6.0);
+  const Vector6d c = solver.solve(right_side);
+  const double variance = std::max(0.0, sums.square - c.dot(right_side)) /
+                          (static_cast<double>(plane.cells.size()) - 6.0);
 
-  // Larger eigenvalue of [c3 c4; c4 c5] and its derivative by (c3, c4, c5).
+  // The larger eigenvalue of [c3 c4; c4 c5] and its derivative with respect to (c3, c4, c5).
   const double mean = 0.5 * (c[3] + c[5]), half = 0.5 * (c[3] - c[5]);
   const double radius = std::hypot(half, c[4]);
   const double sign = mean < 0.0 ? -1.0 : 1.0;
@@ -91,7 +96,7 @@ Curvature curvature_of(const Plane& plane) {
   const double x = std::cos(direction), y = std::sin(direction);
   Vector6d derivative = Vector6d::Zero();
   derivative.tail<3>() << x * x, 2.0 * x * y, y * y;
-  // The terms' sums hold the second moments; a strip of length L has the variance L^2 / 12.
+  // The second moments are among the sums; a strip of length L has the variance L^2 / 12.
   const double along = 2.0 * (x * x * normal_matrix(0, 3) + y * y * normal_matrix(0, 5)) +
                        2.0 * x * y * normal_matrix(0, 4);
   const double length_square = 12.0 * along / normal_matrix(0, 0);
@@ -103,12 +108,12 @@ Curvature curvature_of(const Plane& plane) {
 std::optional<double> cell_scatter_m(const Plane& plane) {
   std::vector<double> distances;
   for (const PlaneCell& cell : plane.cells) {
-    if (cell.count >= min_points) distances.push_back(std::abs(cell.mean_m));
+    if (cell.count >= kMinPoints) distances.push_back(std::abs(cell.mean_m));
   }
-  if (distances.size() < min_cells) return std::nullopt;
-  const auto place = distances.begin() + static_cast<std::ptrdiff_t>(distances.size() * 4 / 5);
-  std::nth_element(distances.begin(), place, distances.end());
-  return *place;
+  if (distances.size() < kMinCells) return std::nullopt;
+  const auto quantile = distances.begin() + static_cast<std::ptrdiff_t>(distances.size() * 4 / 5);
+  std::nth_element(distances.begin(), quantile, distances.end());
+  return *quantile;
 }
 
 }  // namespace ribbon_mapper

@@ -8,20 +8,21 @@
 
 namespace ribbon_mapper {
 
-/// How far a surface is from being flat.
+/// The curvature of a surface.
 struct Curvature {
-  double bend = 0.0;       ///< larger principal curvature, absolute [1/m]
-  double sigma = 0.0;      ///< standard error of the bend [1/m]
-  double sagitta_m = 0.0;  ///< height of the bend's arc over the surface's extent along it
+  double bend = 0.0;       ///< absolute value of the larger principal curvature [1/m]
+  double sigma = 0.0;      ///< standard error of `bend` [1/m]
+  double sagitta_m = 0.0;  ///< height of the arc of this curvature over the surface's extent
 };
 
-/// Of the quadric that fits the means of a plane's cells best: tells a facet of a column from a
-/// plane. Sigma is infinite if there are too few cells to tell.
+/// Returns the curvature of the quadric that fits the mean distances of a plane's cells best.
+/// Serves to distinguish a facet of a column from a plane. Curvature::sigma is infinite for too few
+/// cells.
 Curvature curvature_of(const Plane& plane);
 
-/// Four fifths of a plane's well-seen cells have their mean within this of the plane [m]; nothing
-/// if few cells are well seen. Noise averages out in a cell, steps between things side by side do
-/// not.
+/// Returns the distance from the plane within which the means of four fifths of its well-seen cells
+/// lie [m], or nothing if few cells are well seen. Noise averages out within a cell; steps between
+/// adjacent objects do not.
 std::optional<double> cell_scatter_m(const Plane& plane);
 
 }  // namespace ribbon_mapper

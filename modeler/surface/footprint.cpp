@@ -13,7 +13,7 @@ Footprint::Footprint(const Plane& plane, double reach_m)
   mark_around();
 }
 
-/// Of each block, whether it holds a cell's centre; there are free blocks all around.
+/// Marks the blocks that hold the centre of a cell, with a margin of free blocks around them.
 void Footprint::mark_cells() {
   const std::vector<PlaneCell>& cells = plane_->cells;
   const auto block_of = [&](int cell) { return floor_to_int((cell + 0.5) * blocks_per_cell_); };
@@ -24,7 +24,7 @@ void Footprint::mark_cells() {
   u0_ = block_of(u_first) - 1, v0_ = block_of(cells.front().v) - 1;  // sorted by (v, u)
   columns_ = block_of(u_last) + 2 - u0_, rows_ = block_of(cells.back().v) + 2 - v0_;
   is_beside_.assign(index(0, rows_), 0);
-  std::vector<int> column_of;  // of each column of cells
+  std::vector<int> column_of;  // block column of each column of cells
   for (int u = u_first; u <= u_last; ++u) column_of.push_back(block_of(u) - u0_);
   int v = cells.front().v;
   char* row = &is_beside_[index(0, 1)];
@@ -34,7 +34,7 @@ void Footprint::mark_cells() {
   }
 }
 
-/// The same of a block or one of the eight around it: first along rows, then along columns.
+/// Marks the eight neighbours of each marked block, too: first along rows, then along columns.
 void Footprint::mark_around() {
   for (const std::size_t step : {index(1, 0), index(0, 1)}) {
     std::vector<char>& beside = is_beside_;

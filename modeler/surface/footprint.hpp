@@ -12,29 +12,32 @@
 
 namespace ribbon_mapper {
 
-/// Where on a plane there are cells, in blocks as wide as a reach: which points lie on the plane
-/// and beside what was seen of it. The plane must outlive it.
+/// Decides which points lie on a plane near its seen cells, by blocks as wide as a given reach.
 class Footprint {
  public:
+  /// Creates the footprint of a plane, which must outlive it, with a reach in the plane [m].
   Footprint(const Plane& plane, double reach_m);
 
-  /// Within `tolerance_m` of the plane and, in it, within the reach of a cell; true for no point
-  /// that is further than twice the reach from all of them along an axis.
+  /// Returns true if a point lies within `tolerance_m` of the plane and near its cells.
+  ///
+  /// Accepts all points within the reach of a cell, and none that is further than twice the reach
+  /// from every cell along an axis of the grid.
   bool holds(const Eigen::Vector3d& point, double tolerance_m) const {
     if (std::abs(plane_->normal.dot(point) + plane_->d_m) > tolerance_m) return false;
-    const Eigen::Vector3d place = point - plane_->origin;
-    return covers(place.dot(plane_->axis_u) / plane_->cell_size_m,
-                  place.dot(plane_->axis_v) / plane_->cell_size_m);
+    const Eigen::Vector3d offset = point - plane_->origin;
+    return covers(offset.dot(plane_->axis_u) / plane_->cell_size_m,
+                  offset.dot(plane_->axis_v) / plane_->cell_size_m);
   }
 
-  /// The same of a point of the plane, by its place in the grid [cells].
-  bool covers(double place_u, double place_v) const {
-    const int u = floor_to_int(place_u * blocks_per_cell_) - u0_;
-    const int v = floor_to_int(place_v * blocks_per_cell_) - v0_;
+  /// Returns true if a point of the plane lies near its cells, as in holds(). The point is given by
+  /// its position in the grid [cells].
+  bool covers(double grid_u, double grid_v) const {
+    const int u = floor_to_int(grid_u * blocks_per_cell_) - u0_;
+    const int v = floor_to_int(grid_v * blocks_per_cell_) - v0_;
     return u >= 0 && v >= 0 && u < columns_ && v < rows_ && is_beside_[index(u, v)] != 0;
   }
 
-  /// Calls function(centre) for each block whose points it covers.
+  /// Calls function(centre) for each block whose points are accepted, with its centre [m].
   template <typename Function>
   void for_each_block(const Function& function) const {
     const double side_m = plane_->cell_size_m / blocks_per_cell_;
@@ -47,6 +50,7 @@ class Footprint {
     }
   }
 
+  /// Returns the plane.
   const Plane& plane() const { return *plane_; }
 
  private:
@@ -57,7 +61,7 @@ class Footprint {
   const Plane* plane_;
   double blocks_per_cell_;
   int u0_ = 0, v0_ = 0, columns_ = 0, rows_ = 0;
-  std::vector<char> is_beside_;  // of each block: it or one around it holds a cell
+  std::vector<char> is_beside_;  // by block: it or a neighbour holds a cell
 };
 
 }  // namespace ribbon_mapper

@@ -11,15 +11,17 @@ namespace ribbon_mapper {
 namespace {
 
 using Corners = std::vector<GridCorner>;
-constexpr double tolerance_in_cells = 1.0;
+constexpr double kToleranceInCells = 1.0;
 
+/// Returns the distance of p from the line through a and b.
 double distance_from_chord(const GridCorner& p, const GridCorner& a, const GridCorner& b) {
   const double du = b.u - a.u, dv = b.v - a.v, length = std::hypot(du, dv);
   if (length == 0.0) return std::hypot(p.u - a.u, p.v - a.v);
   return std::abs(du * (p.v - a.v) - dv * (p.u - a.u)) / length;
 }
 
-/// Douglas and Peucker 1973 on corners (first, last), ends excluded.
+/// Appends the corners between `first` and `last`, both excluded, that the algorithm of Douglas and
+/// Peucker (1973) keeps.
 void simplify(const Corners& corners, std::size_t first, std::size_t last, Corners& kept) {
   double farthest = 0.0;
   std::size_t split = first;
@@ -27,18 +29,19 @@ void simplify(const Corners& corners, std::size_t first, std::size_t last, Corne
     const double distance = distance_from_chord(corners[i], corners[first], corners[last]);
     if (distance > farthest) farthest = distance, split = i;
   }
-  if (farthest <= tolerance_in_cells) return;
+  if (farthest <= kToleranceInCells) return;
   simplify(corners, first, split, kept);
   kept.push_back(corners[split]);
   simplify(corners, split, last, kept);
 }
 
+/// Returns a closed boundary without the corners that matter less than a cell.
 Corners simplify(Corners corners) {
   if (corners.size() < 4) return corners;
   const auto before = [](const GridCorner& a, const GridCorner& b) {
     return a.u + a.v != b.u + b.v ? a.u + a.v < b.u + b.v : a.u < b.u;
   };
-  // Two corners that a simple outline surely has.
+  // Starts at two opposite corners, which every simplified outline has.
   std::rotate(corners.begin(), std::min_element(corners.begin(), corners.end(), before),
               corners.end());
   const auto opposite = std::max_element(corners.begin(), corners.end(), before);
@@ -49,7 +52,7 @@ Corners simplify(Corners corners) {
   kept.push_back(corners[middle]);
   simplify(corners, middle, corners.size() - 1, kept);
   if (kept.size() > 2) return kept;
-  corners.pop_back();  // so narrow that nothing can be left out
+  corners.pop_back();  // too narrow to be simplified
   return corners;
 }
 

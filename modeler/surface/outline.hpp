@@ -9,8 +9,11 @@
 
 namespace ribbon_mapper {
 
-/// Outer boundary of the seen cells, with gaps up to `bridged_gap_m` closed, simplified to a cell's
-/// side; counter-clockwise about the normal, not closed.
+/// Returns the outer boundary of the largest piece of the seen cells, in the frame of the plane
+/// [m].
+///
+/// Gaps up to `bridged_gap_m` are closed first. The boundary is simplified with a tolerance of one
+/// cell. It is counter-clockwise about the normal and does not repeat its first point.
 std::vector<Eigen::Vector3d> outline_of(const Plane& plane, double bridged_gap_m);
 
 }  // namespace ribbon_mapper

@@ -6,9 +6,9 @@
 
 namespace ribbon_mapper {
 
-std::vector<CellRectangle> surface_rectangles(const Plane& plane, double closing_m) {
+std::vector<CellRectangle> surface_rectangles(const Plane& plane, double stripe_gap_m) {
   if (plane.cells.empty()) return {};
-  CellBitmap bitmap(plane.cells, static_cast<int>(0.5 * closing_m / plane.cell_size_m));
+  CellBitmap bitmap(plane.cells, static_cast<int>(0.5 * stripe_gap_m / plane.cell_size_m));
   bitmap.close();
   return bitmap.rectangles();
 }

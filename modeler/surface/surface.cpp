@@ -8,8 +8,8 @@
 namespace ribbon_mapper {
 namespace {
 
-/// The errors of a ribbon's points are one error, that of its pose: a ribbon counts as one
-/// measurement of its mean. Parameters: see Plane::covariance.
+/// Returns the covariance of the plane; see Plane::covariance. The errors of a ribbon's points are
+/// dominated by the common error of its pose, so a ribbon counts as one measurement of its mean.
 Eigen::Matrix3d covariance_of(const Hypothesis& hypothesis, const Plane& plane) {
   const Eigen::Matrix3d spread = hypothesis.moments().covariance();
   Eigen::Matrix<double, 3, 2> axes;
@@ -17,7 +17,8 @@ Eigen::Matrix3d covariance_of(const Hypothesis& hypothesis, const Plane& plane) 
   const Eigen::Matrix2d extent = axes.transpose() * spread * axes;
   const double variance =
       hypothesis.fit().variances[0] / static_cast<double>(hypothesis.members().size());
-  const Eigen::Matrix2d slopes = variance * extent.inverse();  // of d(height)/du, d(height)/dv
+  const Eigen::Matrix2d slopes =
+      variance * extent.inverse();  // covariance of d(height)/du and d(height)/dv
   Eigen::Matrix2d to_rotations;
   to_rotations << 0.0, 1.0, -1.0, 0.0;  // a slope along v is a rotation about u
   Eigen::Matrix3d covariance = Eigen::Matrix3d::Zero();
@@ -26,6 +27,7 @@ Eigen::Matrix3d covariance_of(const Hypothesis& hypothesis, const Plane& plane) 
   return covariance;
 }
 
+/// Returns the plane of a hypothesis, with its axes and without cells.
 Plane frame_of(const Hypothesis& hypothesis, double cell_size_m) {
   Plane plane;
   plane.id = hypothesis.id;

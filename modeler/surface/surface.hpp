@@ -13,20 +13,27 @@
 
 namespace ribbon_mapper {
 
-/// A hypothesis with the cells that its ribbons have seen, in the frame of the observations.
+/// The plane of a hypothesis with the cells that its ribbons have seen, in the model's frame.
 class Surface {
  public:
+  /// Creates the surface of a hypothesis of these observations.
   Surface(const Hypothesis& hypothesis, const PosedObservations& observations, double cell_size_m);
 
+  /// Returns the plane with its seen cells, as of the last refresh().
   const Plane& plane() const { return plane_; }
+  /// Moves the plane out of the surface.
   Plane take_plane() { return std::move(plane_); }
 
-  /// Column and row in the grid, with fractions, and distance from the plane [m].
-  Eigen::Vector3d place_of(const Eigen::Vector3d& point) const { return grid_.place_of(point); }
-  /// A point of no ribbon, by its place; refresh() makes its cell part of the plane.
-  void add(const Eigen::Vector3d& place, std::uint32_t count) { grid_.add_at(place, count); }
-  /// A ribbon of no hypothesis, most of whose points were added.
-  void own(std::uint32_t ribbon) { plane_.ribbons.push_back(ribbon); }
+  /// Returns the position of a point in the grid: fractional column and row [cells], and distance
+  /// from the plane [m].
+  Eigen::Vector3d grid_position(const Eigen::Vector3d& point) const {
+    return grid_.grid_position(point);
+  }
+  /// Adds `count` points at the same grid_position(). They become part of plane() by refresh().
+  void add(const Eigen::Vector3d& position, std::uint32_t count) { grid_.add_at(position, count); }
+  /// Adds the index of a ribbon to those of the plane, without its points.
+  void add_ribbon(std::uint32_t ribbon) { plane_.ribbons.push_back(ribbon); }
+  /// Updates the cells, ribbons, area and centroid of plane().
   void refresh();
 
  private:

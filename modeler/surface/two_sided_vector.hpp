@@ -7,11 +7,11 @@
 
 namespace ribbon_mapper {
 
-/// A vector whose indices begin anywhere, also below zero, and that grows to both sides.
+/// A vector that grows at both ends and whose indices may be negative.
 template <typename Item>
 class TwoSidedVector {
  public:
-  /// Makes room up to the index if it is not there yet.
+  /// Returns the item at an index. Grows the vector up to that index if necessary.
   Item& at(int index) {
     if (items_.empty()) begin_ = index;
     if (index < begin_) grow_in_front(begin_ - index);
@@ -19,13 +19,15 @@ class TwoSidedVector {
     return items_[static_cast<std::size_t>(index - begin_)];
   }
 
-  /// Null beyond both ends.
+  /// Returns the item at an index, or null if it is beyond the ends.
   const Item* find(int index) const {
     if (index < begin_ || index >= end()) return nullptr;
     return &items_[static_cast<std::size_t>(index - begin_)];
   }
 
-  int begin() const { return begin_; }  ///< the first index
+  /// Returns the first index.
+  int begin() const { return begin_; }
+  /// Returns the index after the last one.
   int end() const { return begin_ + static_cast<int>(items_.size()); }
 
  private:

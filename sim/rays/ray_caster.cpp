@@ -2,37 +2,48 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "sim/rays/ray_caster.hpp"
 
-#include <algorithm>
+#include <stdexcept>
 
-#include "sim/rays/ray_packet.hpp"
-#include "sim/rays/ray_scene.hpp"
+#include "sim/rays/bullet_caster.hpp"
+#ifdef RIBBON_MAPPER_WITH_EMBREE
+#include "sim/rays/embree_caster.hpp"
+#endif
 
 namespace ribbon_mapper::sim {
+namespace {
 
-RayCaster::RayCaster(const std::vector<Triangle>& triangles)
-    : scene_(std::make_unique<RayScene>(triangles)) {}
-
-RayCaster::~RayCaster() = default;
-
-std::optional<Hit> RayCaster::cast(const Ray& ray, double max_range_m) const {
-  RayPacket packet(&ray, 1, max_range_m);
-  packet.walk(*scene_);
-  if (packet.id(0) < 0) return std::nullopt;
-  return Hit{packet.range_m(0), scene_->faces[packet.id(0)]};
+void require_available(RayCasterKind kind) {
+  if (is_available(kind)) return;
+  throw std::invalid_argument(
+      "ray caster 'embree' is not in this build: install Embree 3 (package libembree-dev on Debian "
+      "12), configure and build again, or use bullet");
 }
 
-std::vector<std::optional<Hit>> RayCaster::cast_line(const std::vector<Ray>& rays,
-                                                     double max_range_m) const {
-  std::vector<std::optional<Hit>> hits(rays.size());
-  for (std::size_t begin = 0; begin < rays.size(); begin += RayPacket::kMaxRays) {
-    const std::size_t left = rays.size() - begin;
-    const int count = static_cast<int>(std::min<std::size_t>(left, RayPacket::kMaxRays));
-    RayPacket packet(&rays[begin], count, max_range_m);
-    packet.walk(*scene_);
-    for (int i = 0; i < count; ++i)
-      if (packet.id(i) >= 0) hits[begin + i] = Hit{packet.range_m(i), scene_->faces[packet.id(i)]};
-  }
-  return hits;
+}  // namespace
+
+RayCasterKind ray_caster_kind_from(const std::string& name) {
+  if (name == "bullet") return RayCasterKind::bullet;
+  if (name != "embree")
+    throw std::invalid_argument("ray caster '" + name + "' is unknown; use bullet or embree");
+  require_available(RayCasterKind::embree);
+  return RayCasterKind::embree;
+}
+
+bool is_available(RayCasterKind kind) {
+#ifdef RIBBON_MAPPER_WITH_EMBREE
+  return kind == RayCasterKind::bullet || kind == RayCasterKind::embree;
+#else
+  return kind == RayCasterKind::bullet;
+#endif
+}
+
+std::unique_ptr<const RayCaster> make_ray_caster(RayCasterKind kind,
+                                                 const std::vector<Triangle>& triangles) {
+  require_available(kind);
+#ifdef RIBBON_MAPPER_WITH_EMBREE
+  if (kind == RayCasterKind::embree) return make_embree_caster(triangles);
+#endif
+  return make_bullet_caster(triangles);
 }
 
 }  // namespace ribbon_mapper::sim

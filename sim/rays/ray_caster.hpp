@@ -5,39 +5,55 @@
 #include <Eigen/Core>
 #include <memory>
 #include <optional>
+#include <string>
 #include <vector>
 
 #include "sim/shapes/tessellation.hpp"
 
 namespace ribbon_mapper::sim {
 
-struct RayScene;
-
+/// A ray in map.
 struct Ray {
-  Eigen::Vector3d origin, direction;  ///< in map; the direction of length 1
+  Eigen::Vector3d origin;     ///< start of the ray [m]
+  Eigen::Vector3d direction;  ///< of unit length
 };
 
+/// The first surface that a ray meets.
 struct Hit {
-  double range_m = 0.0;
-  int face = -1;  ///< index into World::faces()
+  double range_m = 0.0;  ///< distance from the ray's origin
+  int face = -1;         ///< index into World::faces()
 };
 
-/// First surface along rays, from either side. The rays of a scan line are cast in packets of
-/// neighbours that walk the tree together (Wald et al., "Interactive rendering with coherent ray
-/// tracing", 2001). What a ray hits does not depend on the rays beside it, nor on the processor; of
-/// surfaces at the very same range it is the first in the order of the triangles. Thread-safe.
+/// Finds the first surface along a ray in a fixed set of triangles. Both sides of a triangle are
+/// solid. Implementations may be used by several threads at once, and the same ray gives the same
+/// bytes each time.
 class RayCaster {
  public:
-  explicit RayCaster(const std::vector<Triangle>& triangles);
-  ~RayCaster();
+  RayCaster() = default;
+  RayCaster(const RayCaster&) = delete;
+  RayCaster& operator=(const RayCaster&) = delete;
+  virtual ~RayCaster() = default;
 
-  std::optional<Hit> cast(const Ray& ray, double max_range_m) const;
-
-  /// The same for each of many rays; fast if successive ones are near and alike, as beams are.
-  std::vector<std::optional<Hit>> cast_line(const std::vector<Ray>& rays, double max_range_m) const;
-
- private:
-  std::unique_ptr<const RayScene> scene_;
+  /// Returns the first hit nearer than `max_range_m`, or nothing if there is none.
+  virtual std::optional<Hit> cast(const Ray& ray, double max_range_m) const = 0;
 };
+
+/// The library that casts the rays.
+enum class RayCasterKind {
+  bullet,  ///< Bullet in double precision: the default, always available
+  embree,  ///< Embree 3: several times faster, available if it was found when building
+};
+
+/// Returns the kind called `name`: bullet or embree. Throws std::invalid_argument that lists the
+/// names if there is no such kind, or names the missing package if this build lacks it.
+RayCasterKind ray_caster_kind_from(const std::string& name);
+
+/// Returns true if this build can make casters of `kind`.
+bool is_available(RayCasterKind kind);
+
+/// Returns a caster for `triangles`, which need not outlive the call. Throws std::invalid_argument
+/// that names the missing package if `kind` is not available.
+std::unique_ptr<const RayCaster> make_ray_caster(RayCasterKind kind,
+                                                 const std::vector<Triangle>& triangles);
 
 }  // namespace ribbon_mapper::sim

@@ -15,9 +15,9 @@ namespace {
 
 constexpr double kPi = 3.14159265358979323846;
 constexpr float kNoReturn = std::numeric_limits<float>::infinity();
-constexpr double kTurn_s = 60.0 / 2400.0;  // 2400 rpm (hokuyo.cpp)
+constexpr double kTurn_s = 60.0 / 2400.0;  // 2400 rpm (hokuyo_node)
 
-/// A neighbouring beam this much nearer or farther makes a depth edge.
+/// Range difference between neighbouring beams that makes a depth edge.
 constexpr double kDepthEdge_m = 0.05;
 
 Eigen::Vector2d in_scan_plane(double angle_rad) {
@@ -63,7 +63,7 @@ double sigma_m(RangeNoise noise, double range_m) {
 }
 
 void HokuyoConfig::set_beams(int count) {
-  constexpr double kWithinStep = 1e-3;  // so that rounding takes no beam away
+  constexpr double kWithinStep = 1e-3;  // so that rounding removes no beam
   angle_min_rad = (kWithinStep - count / 2) * angle_increment_rad;
   angle_max_rad = (count - 1 - count / 2 + kWithinStep) * angle_increment_rad;
 }
@@ -85,7 +85,7 @@ void HokuyoConfig::validate() const {
 
 Hokuyo::Hokuyo(const HokuyoConfig& config, std::uint64_t seed) : config_(config), seed_(seed) {
   config_.validate();
-  // hokuyo.cpp counts steps from the rear, where 540 is straight ahead, and cuts fractions off.
+  // hokuyo_node counts steps from the rear, 540 being straight ahead, and truncates fractions.
   const double per_rad = 1.0 / config_.angle_increment_rad;
   const double ahead = std::floor(0.75 * kPi * per_rad);
   first_step_ = static_cast<int>(std::floor(ahead + config_.angle_min_rad * per_rad) - ahead);
@@ -113,7 +113,8 @@ Scan Hokuyo::scan(const World& world, Time stamp, const LaserPose& T_map_laser) 
   for (int i = 0; i < beam_count(); ++i) {
     scan.rays.push_back(ray_of(T_map_laser(stamp + times_[i]), directions_[i]));
   }
-  for (const auto& hit : world.cast_line(scan.rays, config_.range_max_m)) {
+  for (const Ray& ray : scan.rays) {
+    const auto hit = world.cast(ray.origin, ray.direction, config_.range_max_m);
     scan.true_ranges_m.push_back(hit ? static_cast<float>(hit->range_m) : kNoReturn);
     scan.faces.push_back(hit ? hit->face : -1);
   }
@@ -124,34 +125,28 @@ Scan Hokuyo::scan(const World& world, Time stamp, const LaserPose& T_map_laser) 
   return scan;
 }
 
-/// A spot that lies on two surfaces gives a range between theirs, by the share of each. The spot is
-/// taken to be one angular step wide, so that spots tile the view: an assumption, the data sheet's
-/// figures are larger. Only beams beside a depth edge of their line are looked at: what lies on the
-/// rim of their spot?
+/// A beam whose spot lies on two surfaces measures a range between theirs, weighted by their
+/// shares. The spot is assumed to be one angular step wide; the datasheet's figures are larger.
+/// Only beams beside a depth edge of their line are examined, by a ray along the rim of their spot.
 std::vector<double> Hokuyo::mixed_ranges_m(const World& world, const Scan& scan,
                                            const LaserPose& T_map_laser,
                                            std::mt19937_64& random) const {
   const std::vector<float>& true_m = scan.true_ranges_m;
   std::vector<double> mixed_m(true_m.begin(), true_m.end());
   if (!config_.mixed_pixels) return mixed_m;
-  std::vector<int> beams;
-  std::vector<Ray> rims;
+  std::uniform_real_distribution<double> share(0.0, 0.5);
   for (int i = 0; i < beam_count(); ++i)
     for (const int side : {-1, 1}) {
       const int beside = i + side;
       if (beside < 0 || beside >= beam_count() || !is_edge(true_m[i], true_m[beside])) continue;
       const double angle_rad = (first_step_ + i + side / 2.0) * config_.angle_increment_rad;
-      beams.push_back(i);
-      rims.push_back(ray_of(T_map_laser(scan.stamp + times_[i]), in_scan_plane(angle_rad)));
+      const Ray rim = ray_of(T_map_laser(scan.stamp + times_[i]), in_scan_plane(angle_rad));
+      const auto hit = world.cast(rim.origin, rim.direction, config_.range_max_m);
+      const double own_m = true_m[i];
+      const bool is_pure = mixed_m[i] == own_m;  // not mixed at its other rim yet
+      if (is_pure && hit && is_edge(own_m, hit->range_m))
+        mixed_m[i] += share(random) * (hit->range_m - own_m);
     }
-  const auto hits = world.cast_line(rims, config_.range_max_m);
-  std::uniform_real_distribution<double> share(0.0, 0.5);
-  for (std::size_t k = 0; k < hits.size(); ++k) {
-    const double own_m = true_m[beams[k]];
-    const bool untouched = mixed_m[beams[k]] == own_m;  // by the rim on the other side
-    if (untouched && hits[k] && is_edge(own_m, hits[k]->range_m))
-      mixed_m[beams[k]] += share(random) * (hits[k]->range_m - own_m);
-  }
   return mixed_m;
 }
 

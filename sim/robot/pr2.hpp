@@ -6,8 +6,8 @@
 
 #include "modeler/geometry/pose.hpp"
 
-/// The PR2 as pr2_description (pr2.urdf.xacro and the files it includes) and
-/// pr2_controller_configuration (pr2_base_controller2.yaml) give it.
+/// Geometry and limits of the PR2, from pr2_description (pr2.urdf.xacro and its includes) and
+/// pr2_controller_configuration (pr2_base_controller2.yaml).
 namespace ribbon_mapper::sim::pr2 {
 
 constexpr double kTiltLower_rad = -0.7854;  ///< laser_tilt_mount_joint, looks up
@@ -15,22 +15,22 @@ constexpr double kTiltUpper_rad = 1.48353;  ///< looks down
 constexpr double kTiltSpeed_rad_s = 10.0;   ///< limit of the joint
 constexpr double kTorsoRest_m = 0.0115;     ///< torso_lift_joint at its lower soft stop
 
-constexpr double kBaseSpeed_m_s = 1.0;
-constexpr double kBaseTurnRate_rad_s = 2.0;
-constexpr double kBaseAcceleration_m_s2 = 2.0;
-constexpr double kBaseTurnAcceleration_rad_s2 = 2.0;
+constexpr double kBaseSpeed_m_s = 1.0;                ///< limit of a drive
+constexpr double kBaseTurnRate_rad_s = 2.0;           ///< limit of a turn
+constexpr double kBaseAcceleration_m_s2 = 2.0;        ///< limit of a drive
+constexpr double kBaseTurnAcceleration_rad_s2 = 2.0;  ///< limit of a turn
 
-/// Base footprint, up to the head with the torso down; clear of the floor.
+/// Size of a box around the body, up to the head with the torso down.
 inline const Eigen::Vector3d kBodySize_m{0.65, 0.65, 1.30};
-constexpr double kBodyBottom_m = 0.05;
+constexpr double kBodyBottom_m = 0.05;  ///< height of that box above the floor
 
-/// laser_tilt_link in base_footprint: x ahead, z up at tilt 0.
+/// Returns the pose of laser_tilt_link in base_footprint: x ahead, z up at tilt 0.
 Pose T_base_laser(double tilt_rad, double torso_m = kTorsoRest_m);
 
-/// The same in map, for a base on level ground: T_map_base * T_base_laser, multiplied out.
+/// Returns T_map_base * T_base_laser for a base on level ground, multiplied out.
 Pose T_map_laser(const Pose& T_map_base, double tilt_rad);
 
-/// The body's box in map.
+/// Returns the pose of the centre of the body's box.
 Pose T_map_body(const Pose& T_map_base);
 
 }  // namespace ribbon_mapper::sim::pr2

@@ -6,8 +6,8 @@
 
 namespace ribbon_mapper::sim {
 
-/// Seed of one of several streams of random numbers that do not disturb each other: the finaliser
-/// of SplitMix64, by which neighbouring seeds give unrelated numbers.
+/// Returns the seed of one of several independent streams of random numbers, by the finaliser of
+/// SplitMix64. Neighbouring seeds and streams give unrelated results.
 inline std::uint64_t stream_seed(std::uint64_t seed, std::uint64_t stream) {
   std::uint64_t z = seed + stream;
   z = (z ^ (z >> 30)) * 0xbf58476d1ce4e5b9u;

@@ -17,13 +17,13 @@ void require(bool condition, const std::string& message) {
   if (!condition) throw std::invalid_argument("tilt profile: " + message);
 }
 
-/// Cruise speed of a motion from rest to rest over `way` in `duration_s` [rad/s].
+/// Returns the cruise speed [rad/s] of a motion from rest to rest over `way_rad` in `duration_s`.
 double cruise_rad_s(double way_rad, double duration_s, double acceleration_rad_s2) {
   const double reach = acceleration_rad_s2 * duration_s;
   return (reach - std::sqrt(reach * reach - 4.0 * acceleration_rad_s2 * way_rad)) / 2.0;
 }
 
-/// Way after `time_s` of such a motion [rad].
+/// Returns the way after `time_s` of such a motion [rad].
 double blended_way(double way_rad, double duration_s, double acceleration_rad_s2, double time_s) {
   const double speed = cruise_rad_s(way_rad, duration_s, acceleration_rad_s2);
   const double ramp_s = speed / acceleration_rad_s2;

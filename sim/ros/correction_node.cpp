@@ -33,8 +33,8 @@ struct NodeParameters {
   }
 };
 
-/// A virtual loop closure: hands the modeler the true poses at its own acquisition stamps, once the
-/// modeler has dealt with every line that was taken until then.
+/// Simulates a loop closure: publishes the true poses at the acquisition stamps of the modeler,
+/// once the modeler has handled every line taken until then.
 class CorrectionNode {
  public:
   explicit CorrectionNode(const NodeParameters& parameters)
@@ -52,8 +52,18 @@ class CorrectionNode {
   void on_truth(const nav_msgs::Odometry& message) {
     const std::optional<Pose> pose = pose_of(message.pose.pose);
     if (!pose) return;
-    history_.add({time_of(message.header.stamp), *pose});
+    const StampedPose stamped{time_of(message.header.stamp), *pose};
+    if (!history_.empty() && stamped.stamp < history_.newest().stamp) start_next_run();
+    history_.add(stamped);
     if (loop_.closes_with(*pose) && parameters_.at_loop) request("the robot is back at its start");
+  }
+
+  /// Forgets the run before: the simulation was started again.
+  void start_next_run() {
+    loop_ = LoopDetector(parameters_.radius_m, parameters_.min_travel_m);
+    latest_ = {};
+    is_requested_ = false;
+    last_scan_ = Time(0);
   }
 
   void on_scan(const sensor_msgs::LaserScan& scan) { last_scan_ = time_of(scan.header.stamp); }
@@ -64,19 +74,19 @@ class CorrectionNode {
 
   void on_trajectory(const nav_msgs::Path& path) {
     latest_ = path;
-    if (!requested_ || time_of(path.header.stamp) < wanted_) return;
-    requested_ = false;
+    if (!is_requested_ || time_of(path.header.stamp) < required_stamp_) return;
+    is_requested_ = false;
     std::string message;
     if (correct(message)) return;
     ROS_ERROR("No correction: %s", message.c_str());
   }
 
   void request(const char* why) {
-    ROS_INFO("Correction: %s. Waiting until the modeler has dealt with all lines.", why);
-    requested_ = true;
-    wanted_ = last_scan_;
+    ROS_INFO("Correction: %s. Waiting until the modeler has handled all lines.", why);
+    is_requested_ = true;
+    required_stamp_ = last_scan_;
     const nav_msgs::Path latest = latest_;
-    on_trajectory(latest);  // it may have done so already
+    on_trajectory(latest);  // which may have handled them already
   }
 
   bool on_close_loop(std_srvs::Trigger::Request&, std_srvs::Trigger::Response& response) {
@@ -109,8 +119,8 @@ class CorrectionNode {
   LoopDetector loop_;
   nav_msgs::Path latest_;  ///< the modeler's trajectory
   Time last_scan_{0};
-  bool requested_ = false;
-  Time wanted_{0};  ///< the model must be this far
+  bool is_requested_ = false;
+  Time required_stamp_{0};  ///< the modeler must have handled the lines up to here
   ros::Publisher corrected_;
   ros::ServiceServer close_loop_;
   ros::Subscriber truth_, scan_, finished_, trajectory_;

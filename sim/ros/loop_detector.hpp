@@ -8,13 +8,15 @@
 
 namespace ribbon_mapper {
 
-/// Notices that the robot is back where it started, after a way that is worth the name of a loop.
+/// Detects that the robot has returned to its start after a minimum travel.
 class LoopDetector {
  public:
+  /// Creates a detector for a circle of `radius_m` about the first pose.
   LoopDetector(double radius_m, double min_travel_m)
       : radius_m_(radius_m), min_travel_m_(min_travel_m) {}
 
-  /// True when the robot enters the radius about its start; the way counts from there again.
+  /// Adds a pose. Returns true when the robot is within the radius after at least the minimum
+  /// travel; travel is then counted from zero again.
   bool closes_with(const Pose& T_map_base) {
     const Eigen::Vector3d place = T_map_base.translation();
     if (!start_) start_ = last_ = place;

@@ -9,17 +9,18 @@
 
 namespace ribbon_mapper::sim {
 
-/// Lets simulated time pass at a multiple of real time.
+/// Makes simulated time pass at a multiple of real time.
 class Pacer {
  public:
+  /// `rate`: simulated seconds per second.
   explicit Pacer(double rate) : rate_(rate) {}
 
-  /// Sleeps until it is `now` in the simulation. What was lost by up to 0.1 s is caught up with;
-  /// more is given up, so that nobody is flooded.
+  /// Sleeps until simulated time `now` is due. Catches up with a delay of up to 0.1 s; a longer
+  /// delay is accepted, so that subscribers are not flooded.
   void wait_until(Time now);
 
-  /// The rate of the last seconds, if it fell short of the one asked for by more than 5 %. Asked
-  /// every few seconds.
+  /// Returns the rate of the last 5 s if it fell short of the requested one by more than 5 %.
+  /// Returns nothing in between.
   std::optional<double> shortfall();
 
  private:

@@ -9,19 +9,21 @@
 
 namespace ribbon_mapper {
 
-/// Where the robot was, from its poses as they came in.
+/// The poses of the robot in one run of simulated time, in order of their stamps.
 class PoseHistory {
  public:
-  /// A pose that is older than the newest one starts the history anew: time was set back.
+  /// Adds a pose. A pose older than the newest one empties the history first: time was set back.
   void add(const StampedPose& pose);
 
-  /// Interpolated; nothing outside the history.
+  /// Returns the interpolated pose; nothing outside the history.
   std::optional<Pose> at(Time time) const;
 
-  /// `trajectory` with the poses of this history at its stamps; stamps outside are left out.
+  /// Returns the poses of this history at the stamps of `trajectory`. Leaves out stamps outside.
   std::vector<StampedPose> at_stamps_of(const std::vector<StampedPose>& trajectory) const;
 
+  /// Returns whether there is no pose yet.
   bool empty() const { return poses_.empty(); }
+  /// Returns the newest pose. The history must not be empty.
   const StampedPose& newest() const { return poses_.back(); }
 
  private:

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 ribbon_mapper authors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// A simulated tour as a bag, without a master: see `record_tour --help`.
+// Records a simulated tour as a bag, without a master: see `record_tour --help`.
 
 #include <CLI/CLI.hpp>
 #include <cstdio>
@@ -17,35 +17,45 @@ using namespace ribbon_mapper;
 
 struct Options {
   std::string world, route, bag, truth;
-  std::string tilt = "manip";
+  std::string tilt = "manip", caster = "bullet";
   double keyframe_step_m = 0.0;
   sim::TourConfig tour;
   sim::RecorderOptions recorder;
 };
 
 void add_options(CLI::App& app, Options& options) {
-  app.add_option("--world", options.world, "SDF world")->required()->check(CLI::ExistingFile);
-  app.add_option("--route", options.route, "route")->required()->check(CLI::ExistingFile);
-  app.add_option("--bag", options.bag, "file to write")->required();
+  app.add_option("--world", options.world, "world (SDF file)")
+      ->required()
+      ->check(CLI::ExistingFile);
+  app.add_option("--route", options.route, "route (YAML file)")
+      ->required()
+      ->check(CLI::ExistingFile);
+  app.add_option("--bag", options.bag, "bag to write")->required();
   app.add_option("--truth", options.truth, "file for the true poses of the base (TUM)");
   app.add_option("--keyframes", options.keyframe_step_m,
-                 "of the true poses only one each so many m")
+                 "write a true pose only every so many metres")
       ->check(CLI::Range(0.0, 1000.0));
-  app.add_option("--seed", options.tour.seed, "of all noise")->capture_default_str();
+  app.add_option("--seed", options.tour.seed, "seed of all noise")->capture_default_str();
   app.add_option("--drift", options.tour.localisation.drift, "scale of the localisation noise")
       ->check(CLI::Range(0.0, 1000.0))
       ->capture_default_str();
-  app.add_option("--seconds", options.recorder.longest_s, "length of the recording, from the start")
+  app.add_option("--seconds", options.recorder.longest_s,
+                 "length of the recording from the start of the tour [s]")
       ->check(CLI::Range(0.0, 1e6));
-  app.add_option("--tilt", options.tilt, "manip, nav or slow")->capture_default_str();
-  app.add_option("--stamp-error", options.recorder.stamp_error_s, "of the laser's driver [s]")
+  app.add_option("--tilt", options.tilt, "profile of the tilt: manip, nav or slow")
+      ->capture_default_str();
+  app.add_option("--caster", options.caster, "library that casts the rays: bullet or embree")
+      ->capture_default_str();
+  app.add_option("--stamp-error", options.recorder.stamp_error_s,
+                 "constant error of the scans' stamps [s]")
       ->check(CLI::Range(-1.0, 1.0))
       ->capture_default_str();
 }
 
 void run(Options& options) {
   options.tour.tilt = sim::TiltProfileConfig::preset(options.tilt);
-  const sim::World world = sim::World::load(options.world, {});
+  const sim::World world =
+      sim::World::load(options.world, {}, sim::ray_caster_kind_from(options.caster));
   sim::Tour tour(world, sim::Route::load(options.route), options.tour);
   std::vector<StampedPose> truth = sim::record_tour(tour, options.recorder, options.bag);
   std::printf("%zu lines in %s\n", truth.size(), options.bag.c_str());

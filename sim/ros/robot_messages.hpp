@@ -15,16 +15,20 @@
 
 namespace ribbon_mapper::sim {
 
-// What a PR2 says about itself.
+// Messages of a simulated PR2.
 
+/// Returns a scan of the tilting laser as a message.
 sensor_msgs::LaserScan scan_message(const Scan& scan, const ros::Time& stamp);
 
+/// Returns the positions of the torso (at rest) and the tilt.
 sensor_msgs::JointState joint_message(double tilt_rad, const ros::Time& stamp);
 
+/// Returns the pose of `child` in `parent` as a transform for tf.
 geometry_msgs::TransformStamped stamped_transform(const std::string& parent,
                                                   const std::string& child, const Pose& pose,
                                                   const ros::Time& stamp);
 
+/// Returns pose and velocity of `child` in `parent`.
 nav_msgs::Odometry odometry_message(const std::string& parent, const std::string& child,
                                     const Pose& pose, const Velocity& velocity,
                                     const ros::Time& stamp);

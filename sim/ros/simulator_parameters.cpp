@@ -24,7 +24,7 @@ std::string gazebo_model_path() {
   return path ? path : "";
 }
 
-/// A preset by name, or `linear` with figures of its own.
+/// Reads a preset by name, or `linear` with its period, amplitude and offset.
 TiltProfileConfig read_tilt(StrictParameters& from) {
   const std::string profile = from.text("tilt_profile", "manip");
   const double period_s = from.number("tilt_period", 3.0, 0.1, 600.0);
@@ -52,6 +52,7 @@ SimulatorParameters SimulatorParameters::read() {
   p.world = from.required_text("world", "an SDF file, such as worlds/apartment.sdf");
   p.route = from.required_text("route", "a YAML file, such as worlds/apartment.route.yaml");
   p.model_paths = split(from.text("model_path", gazebo_model_path()), ':');
+  p.caster = ray_caster_kind_from(from.text("caster", "bullet"));
   p.tour.seed =
       static_cast<std::uint64_t>(from.integer("seed", 1, 0, std::numeric_limits<int>::max()));
   p.tour.localisation.drift = from.number("drift", 1.0, 0.0, 100.0);

@@ -9,24 +9,27 @@
 
 namespace ribbon_mapper::sim {
 
-/// Names of the frames in tf, as on the PR2.
+/// Names of the frames in tf, by default those of the PR2.
 struct SimulatorFrames {
-  std::string map = "map";
-  std::string odom = "odom_combined";
-  std::string base = "base_footprint";
+  std::string map = "map";              ///< of the world
+  std::string odom = "odom_combined";   ///< of the odometry
+  std::string base = "base_footprint";  ///< of the robot
 };
 
 /// The private parameters of pr2_simulator.
 struct SimulatorParameters {
-  std::string world, route;
-  std::vector<std::string> model_paths;
-  TourConfig tour;
-  SimulatorFrames frames;
-  double rate;                        ///< seconds of tour per second
-  std::vector<std::string> wait_for;  ///< topics that need a subscriber before the tour starts
-  double longest_wait_s;
+  std::string world;                     ///< SDF file
+  std::string route;                     ///< YAML file
+  std::vector<std::string> model_paths;  ///< folders for `model://` URIs
+  RayCasterKind caster;                  ///< library that casts the rays
+  TourConfig tour;                       ///< sensors, noise and seed
+  SimulatorFrames frames;                ///< names of the frames
+  double rate;                           ///< seconds of tour per second
+  std::vector<std::string> wait_for;     ///< topics that need a subscriber before the tour starts
+  double longest_wait_s;                 ///< for these subscribers; then the tour starts anyway
 
-  /// Throws std::invalid_argument that names the parameter and what is allowed.
+  /// Reads the parameters of this node. Throws std::invalid_argument that names a wrong parameter
+  /// and what is allowed.
   static SimulatorParameters read();
 };
 

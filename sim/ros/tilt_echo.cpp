@@ -2,7 +2,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "sim/ros/tilt_echo.hpp"
 
+#include <chrono>
+
 namespace ribbon_mapper::sim {
+namespace {
+constexpr std::chrono::seconds kMaxWait{5};  // a loaded machine may need that long
+}  // namespace
 
 TiltEcho::TiltEcho(ros::NodeHandle& node)
     : tf_(node.subscribe("/tf", 1000, &TiltEcho::take, this, ros::TransportHints().tcpNoDelay())) {}
@@ -10,7 +15,9 @@ TiltEcho::TiltEcho(ros::NodeHandle& node)
 bool TiltEcho::wait_for(const ros::Time& stamp) {
   std::unique_lock<std::mutex> lock(mutex_);
   if (newest_.isZero()) return true;
-  return changed_.wait_for(lock, std::chrono::milliseconds(100), [&] { return newest_ >= stamp; });
+  if (changed_.wait_for(lock, kMaxWait, [&] { return newest_ >= stamp; })) return true;
+  newest_ = ros::Time();
+  return false;
 }
 
 void TiltEcho::take(const tf2_msgs::TFMessage& message) {

@@ -11,15 +11,19 @@
 
 namespace ribbon_mapper::sim {
 
-/// Hears what robot_state_publisher makes of joint_states. Its queue holds a single message: at
-/// several times real time it loses every tenth, and then tf has the tilt wrong by up to 8 degrees
-/// at a reversal. So the next joint state waits until this one has come back.
+/// Waits until robot_state_publisher has turned joint states into transforms.
+///
+/// Its queue holds a single message: at several times real time it loses every tenth, and tf then
+/// has the tilt wrong by up to 8 degrees at a reversal. So the next joint state is sent only after
+/// the transform of the one before has come back.
 class TiltEcho {
  public:
+  /// Subscribes to /tf. Another thread must serve the callbacks.
   explicit TiltEcho(ros::NodeHandle& node);
 
-  /// Returns when tf has the tilt at `stamp`, at once if nobody has ever answered. False, after a
-  /// tenth of a second of real time, if it does not come.
+  /// Waits until tf has the tilt at `stamp`. Returns at once as long as nobody publishes the tilt.
+  /// Returns false if the tilt does not come within 5 s of real time; until the next one comes,
+  /// nobody counts as publishing it.
   bool wait_for(const ros::Time& stamp);
 
  private:
@@ -27,7 +31,7 @@ class TiltEcho {
 
   std::mutex mutex_;
   std::condition_variable changed_;
-  ros::Time newest_;  ///< of laser_tilt_mount_link in tf; zero: none yet
+  ros::Time newest_;  ///< of laser_tilt_mount_link in tf; zero: nobody publishes it
   ros::Subscriber tf_;
 };
 

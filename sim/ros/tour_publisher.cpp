@@ -8,6 +8,7 @@
 #include <tf2_msgs/TFMessage.h>
 
 #include <algorithm>
+#include <cstdlib>
 
 #include "modeler/ros/messages/message_conversions.hpp"
 #include "sim/ros/robot_messages.hpp"
@@ -17,7 +18,7 @@ namespace ribbon_mapper::sim {
 namespace {
 
 constexpr double kMapRate_hz = 30.0;
-constexpr Time kWayStep = std::chrono::milliseconds(500);
+constexpr Time kPathStep = std::chrono::milliseconds(500);
 
 Time end_of(const Scan& scan) {
   return scan.stamp +
@@ -29,7 +30,7 @@ Time end_of(const Scan& scan) {
 TourPublisher::TourPublisher(ros::NodeHandle& node, const World& world, Tour& tour,
                              const SimulatorFrames& frames)
     : tour_(tour), frames_(frames), truth_(world), echo_(node), next_scan_(tour.next_scan()) {
-  // Long queues: a message that waits for a busy machine is better than one that is lost.
+  // Long queues: on a busy machine, a late message is better than a lost one.
   clock_ = node.advertise<rosgraph_msgs::Clock>("/clock", 1000);
   tf_ = node.advertise<tf2_msgs::TFMessage>("/tf", 10000);
   joints_ = node.advertise<sensor_msgs::JointState>("joint_states", 10000);
@@ -37,17 +38,20 @@ TourPublisher::TourPublisher(ros::NodeHandle& node, const World& world, Tour& to
   true_pose_ = node.advertise<nav_msgs::Odometry>("base_pose_ground_truth", 10000);
   scan_ = node.advertise<sensor_msgs::LaserScan>("tilt_scan", 10000);
   truth_planes_ = node.advertise<PlaneArray>("ground_truth/planes", 1, true);
-  true_way_ = node.advertise<nav_msgs::Path>("ground_truth/trajectory", 1, true);
+  true_path_ = node.advertise<nav_msgs::Path>("ground_truth/trajectory", 1, true);
   world_ = node.advertise<visualization_msgs::MarkerArray>("ground_truth/world", 1, true);
   finished_ = node.advertise<std_msgs::Bool>("tour_finished", 1, true);
   world_.publish(world_markers(world, map_header(Time(0))));
   publish_finished(false);
 }
 
-bool TourPublisher::has_subscriber(const std::string& topic) const {
-  const std::string name = ros::names::resolve(topic);
+bool TourPublisher::has_subscribers(const std::string& topic) const {
+  const std::size_t colon = topic.find(':');
+  const std::string name = ros::names::resolve(topic.substr(0, colon));
+  const int count = colon == std::string::npos ? 1 : std::atoi(topic.c_str() + colon + 1);
   for (const ros::Publisher* publisher : {&clock_, &tf_, &joints_, &odometry_, &true_pose_, &scan_})
-    if (publisher->getTopic() == name) return publisher->getNumSubscribers() > 0;
+    if (publisher->getTopic() == name)
+      return static_cast<int>(publisher->getNumSubscribers()) >= count;
   return true;
 }
 
@@ -72,7 +76,7 @@ void TourPublisher::tick(Time now) {
   publish_joints(now);
   publish_localisation(now);
   publish_scans(now);
-  publish_way(now);
+  publish_true_path(now);
 }
 
 void TourPublisher::publish_base(Time now) {
@@ -117,15 +121,15 @@ void TourPublisher::publish_scans(Time now) {
   }
 }
 
-void TourPublisher::publish_way(Time now) {
-  if (!way_.empty() && now < way_.back().stamp + kWayStep) return;
-  if (now > kStart + tour_.duration() + kWayStep) return;
-  way_.push_back({now, tour_.true_T_map_base(in_tour(now))});
-  if (true_way_.getNumSubscribers() > 0) true_way_.publish(path_message(way_, frames_.map, now));
+void TourPublisher::publish_true_path(Time now) {
+  if (!path_.empty() && now < path_.back().stamp + kPathStep) return;
+  if (now > kStart + tour_.duration() + kPathStep) return;
+  path_.push_back({now, tour_.true_T_map_base(in_tour(now))});
+  if (true_path_.getNumSubscribers() > 0) true_path_.publish(path_message(path_, frames_.map, now));
 }
 
 void TourPublisher::publish_truth() {
-  true_way_.publish(path_message(way_, frames_.map, now_));
+  true_path_.publish(path_message(path_, frames_.map, now_));
   truth_planes_.publish(truth_message(truth_.planes(), map_header(now_)));
 }
 

@@ -16,33 +16,41 @@
 
 namespace ribbon_mapper::sim {
 
-/// Publishes what the sensors, the localisation and the ground truth of a tour say. Time goes on in
-/// ticks; the same tour gives the same messages, whatever the speed. Before the tour and after it
-/// the robot stands.
+/// Publishes the clock, the sensors, the localisation and the ground truth of a tour.
+///
+/// Time advances in ticks; the same tour gives the same messages at any speed. The robot stands
+/// still before and after the tour.
 class TourPublisher {
  public:
-  /// Simulated time at the first tick and at the start of the tour; a stamp of zero means "unknown"
-  /// in ROS, and tf must be there before the first line is.
+  /// Simulated time at the first tick; a stamp of zero means "unknown" in ROS.
   static constexpr Time kFirstTick = std::chrono::seconds(1);
+  /// Simulated time at the start of the tour; tf must be there before the first line.
   static constexpr Time kStart = std::chrono::seconds(2);
-  static constexpr Time kTick = std::chrono::milliseconds(10);  ///< odometry's 100 Hz
+  /// Period of the ticks: that of odometry, 100 Hz.
+  static constexpr Time kTick = std::chrono::milliseconds(10);
 
+  /// Advertises the topics. `tour` must outlive this object.
   TourPublisher(ros::NodeHandle& node, const World& world, Tour& tour,
                 const SimulatorFrames& frames);
 
-  /// All that happens up to `now`, simulated time. Call it tick by tick.
+  /// Publishes everything up to simulated time `now`. To be called tick by tick.
   void tick(Time now);
 
-  /// The tour has ended and its last line is out.
+  /// Returns whether the tour has ended and its last line is published.
   bool finished(Time now) const { return now >= kStart + tour_.duration() && !next_scan_; }
 
-  /// What the beams saw of the world, and that the tour has ended.
+  /// Publishes the true trajectory and the planes that the beams saw.
   void publish_truth();
+  /// Publishes whether the tour has ended.
   void publish_finished(bool finished);
 
+  /// Returns the number of lines published.
   std::size_t lines() const { return lines_; }
-  std::size_t lost_joints() const { return lost_joints_; }  ///< joint states that tf never got
-  bool has_subscriber(const std::string& topic) const;
+  /// Returns the number of joint states that did not come back as transforms.
+  std::size_t lost_joints() const { return lost_joints_; }
+  /// Returns whether a topic of this object has a subscriber; with "TOPIC:N", whether it has N.
+  /// Returns true for topics of others.
+  bool has_subscribers(const std::string& topic) const;
 
  private:
   Time in_tour(Time now) const;
@@ -51,7 +59,7 @@ class TourPublisher {
   void publish_base(Time now);
   void publish_localisation(Time now);
   void publish_scans(Time now);
-  void publish_way(Time now);
+  void publish_true_path(Time now);
 
   Tour& tour_;
   SimulatorFrames frames_;
@@ -61,8 +69,8 @@ class TourPublisher {
   std::size_t lines_ = 0, map_ticks_ = 0, lost_joints_ = 0;
   Time now_{0};
   ros::Publisher clock_, tf_, joints_, odometry_, true_pose_, scan_;
-  ros::Publisher truth_planes_, true_way_, world_, finished_;
-  std::vector<StampedPose> way_;
+  ros::Publisher truth_planes_, true_path_, world_, finished_;
+  std::vector<StampedPose> path_;
 };
 
 }  // namespace ribbon_mapper::sim

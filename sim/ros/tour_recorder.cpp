@@ -20,7 +20,7 @@ constexpr Time kTick = std::chrono::milliseconds(10);
 constexpr const char* kMount = "laser_tilt_mount_link";
 const Pose kMountToLaser = Pose(Eigen::Translation3d(0.0, 0.0, 0.03));  // laser_tilt_joint
 
-/// Puts a message into the bag at a time of the tour.
+/// Writes messages into a bag at times of the tour.
 class Recorder {
  public:
   explicit Recorder(const std::filesystem::path& file)
@@ -94,15 +94,16 @@ std::vector<StampedPose> record_tour(Tour& tour, const RecorderOptions& options,
 
 std::vector<StampedPose> keyframes(const std::vector<StampedPose>& trajectory, double step_m) {
   std::vector<StampedPose> kept;
-  double way_m = 0.0;
+  double travel_m = 0.0;
   for (std::size_t i = 0; i < trajectory.size(); ++i) {
     if (i > 0) {
-      way_m += (trajectory[i].T_map_base.translation() - trajectory[i - 1].T_map_base.translation())
-                   .norm();
+      travel_m +=
+          (trajectory[i].T_map_base.translation() - trajectory[i - 1].T_map_base.translation())
+              .norm();
     }
-    if (i > 0 && i + 1 < trajectory.size() && way_m < step_m) continue;
+    if (i > 0 && i + 1 < trajectory.size() && travel_m < step_m) continue;
     kept.push_back(trajectory[i]);
-    way_m = 0.0;
+    travel_m = 0.0;
   }
   return kept;
 }

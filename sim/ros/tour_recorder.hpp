@@ -10,21 +10,23 @@
 
 namespace ribbon_mapper::sim {
 
+/// Settings of record_tour().
 struct RecorderOptions {
-  double longest_s = 1e9;      ///< of the tour that is recorded
-  double stamp_error_s = 0.0;  ///< that the laser's driver makes: added to the scans' stamps
+  double longest_s = 1e9;      ///< recording ends here, if the tour is longer
+  double stamp_error_s = 0.0;  ///< constant error of the laser's driver, added to the scans' stamps
 };
 
-/// Records a tour as the robot would: /tf (map at 30 Hz, odometry and tilt at 100 Hz), /tf_static,
-/// tilt_scan; no master is needed. The tour starts at kTourStart. The same tour gives the same
-/// messages. Throws std::runtime_error if the file cannot be written. Returns the true pose of the
-/// base at each line.
+/// Records a tour as the robot would and returns the true pose of the base at each line. Writes /tf
+/// (map at 30 Hz, odometry and tilt at 100 Hz), /tf_static and tilt_scan. The tour starts at
+/// kTourStart. The same tour gives the same messages. Needs no master. Throws std::runtime_error if
+/// the file cannot be written.
 std::vector<StampedPose> record_tour(Tour& tour, const RecorderOptions& options,
                                      const std::filesystem::path& bag);
 
+/// Stamp of the start of a recorded tour.
 constexpr Time kTourStart = std::chrono::seconds(1000);
 
-/// Of a trajectory, the first pose, one after each `step_m` of way, and the last.
+/// Returns the first pose of a trajectory, one after each `step_m` of travel, and the last.
 std::vector<StampedPose> keyframes(const std::vector<StampedPose>& trajectory, double step_m);
 
 }  // namespace ribbon_mapper::sim

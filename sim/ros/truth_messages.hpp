@@ -13,10 +13,10 @@
 
 namespace ribbon_mapper::sim {
 
-/// Planes of the world as far as the beams saw them, with their cells.
+/// Returns the planes of the world as far as the beams saw them, with their cells.
 PlaneArray truth_message(const std::vector<TruthPlane>& planes, const std_msgs::Header& header);
 
-/// Where the world's surfaces cut some heights, as lines for rviz.
+/// Returns horizontal sections of the world at some heights, as lines for rviz.
 visualization_msgs::MarkerArray world_markers(const World& world, const std_msgs::Header& header);
 
 }  // namespace ribbon_mapper::sim

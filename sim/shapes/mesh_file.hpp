@@ -9,15 +9,16 @@
 
 namespace ribbon_mapper::sim {
 
-/// Which part of a mesh file is meant, and how it is placed (SDF: <mesh>).
+/// The part of a mesh file to load and its scale (SDF: <mesh>).
 struct MeshSelection {
-  std::string submesh;  ///< name of a mesh or node of the file; empty: the whole file
-  bool center_submesh = false;
-  Eigen::Vector3d scale = Eigen::Vector3d::Ones();
+  std::string submesh;          ///< name of a mesh or node of the file; empty: the whole file
+  bool center_submesh = false;  ///< moves the centre of its bounding box to the origin
+  Eigen::Vector3d scale = Eigen::Vector3d::Ones();  ///< factors along the axes of the file
 };
 
-/// Reads a mesh in any format of assimp, node transforms applied, in the file's own axes.
-/// Throws std::runtime_error if the file cannot be read, or has no such part, or no triangles.
+/// Reads a mesh in any format that assimp reads. Applies the transforms of its nodes and keeps the
+/// file's own axes. Throws std::runtime_error if the file cannot be read, lacks the part, or has no
+/// triangles.
 MeshShape load_mesh(const std::string& path, const MeshSelection& selection);
 
 }  // namespace ribbon_mapper::sim

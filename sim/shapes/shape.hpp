@@ -12,29 +12,39 @@
 
 namespace ribbon_mapper::sim {
 
+/// A box centred at the origin of the shape's frame.
 struct BoxShape {
-  Eigen::Vector3d size_m;
+  Eigen::Vector3d size_m;  ///< edge lengths along x, y and z
 };
-struct CylinderShape {  ///< along z, centred
-  double radius_m;
-  double length_m;
+
+/// A cylinder along z, centred at the origin of the shape's frame.
+struct CylinderShape {
+  double radius_m;  ///< of its circle
+  double length_m;  ///< along z
 };
+
+/// A sphere centred at the origin of the shape's frame.
 struct SphereShape {
-  double radius_m;
+  double radius_m;  ///< distance of its surface from the centre
 };
-/// Without bounds: SDF gives a collision plane's size a meaning for the picture only.
+
+/// An unbounded plane through the origin of the shape's frame. SDF uses the size of a collision
+/// plane for display only.
 struct PlaneShape {
-  Eigen::Vector3d normal;
+  Eigen::Vector3d normal;  ///< need not be of unit length
 };
+
+/// A triangle mesh in the shape's frame.
 struct MeshShape {
-  std::vector<Eigen::Vector3d> vertices_m;
+  std::vector<Eigen::Vector3d> vertices_m;    ///< corners, shared by triangles or not
   std::vector<std::array<int, 3>> triangles;  ///< indices into `vertices_m`
 };
 
 /// One collision element of the world.
 struct Shape {
-  std::string name;  ///< model::link::collision
-  Pose T_map_shape = Pose::Identity();
+  std::string name;                     ///< model::link::collision
+  Pose T_map_shape = Pose::Identity();  ///< pose of the shape in map
+  /// What it looks like in its own frame.
   std::variant<BoxShape, CylinderShape, SphereShape, PlaneShape, MeshShape> geometry;
 };
 

@@ -15,7 +15,7 @@ constexpr double kSagitta_m = 0.00019;
 constexpr double kPlaneHalfSide_m = 100.0;
 constexpr double kPi = 3.14159265358979323846;
 
-/// Adds faces and triangles of one shape, moving them to map.
+/// Adds the faces and triangles of one shape, transformed to map.
 class Builder {
  public:
   Builder(const Shape& shape, Tessellation& tessellation) : shape_(shape), out_(tessellation) {}
@@ -41,7 +41,7 @@ class Builder {
   Tessellation& out_;
 };
 
-/// Chords of a circle whose sagitta stays below `sagitta_m`.
+/// Returns how many chords approximate a circle with a sagitta below `sagitta_m`.
 int chord_count(double radius_m, double sagitta_m) {
   const double half_angle_rad = std::acos(std::max(0.0, 1.0 - sagitta_m / radius_m));
   return std::max(12, static_cast<int>(std::ceil(kPi / half_angle_rad)));
@@ -81,7 +81,8 @@ void add(const CylinderShape& cylinder, Builder& builder) {
 }
 
 void add(const SphereShape& sphere, Builder& builder) {
-  const int steps = chord_count(sphere.radius_m, kSagitta_m / 2.0);  // along and across add up
+  const int steps =
+      chord_count(sphere.radius_m, kSagitta_m / 2.0);  // sagittas along and across add up
   const int rings = (steps + 1) / 2;
   const auto point = [&](int ring, int step) {
     const double polar_rad = kPi * ring / rings;

@@ -16,25 +16,27 @@ struct Face {
   std::string name;                                   ///< model::link::collision/side
   Eigen::Vector3d normal = Eigen::Vector3d::UnitZ();  ///< outwards, in map; arbitrary when curved
   double d_m = 0.0;                                   ///< n.p + d = 0 in map
-  bool planar = true;
+  bool planar = true;                                 ///< false for a curved surface
 };
 
+/// A triangle of the world's surface.
 struct Triangle {
   std::array<Eigen::Vector3d, 3> corners_m;  ///< in map, counter-clockwise seen from outside
   int face = 0;                              ///< index into Tessellation::faces
 };
 
+/// The surface of a world as triangles.
 struct Tessellation {
-  std::vector<Face> faces;
-  std::vector<Triangle> triangles;
+  std::vector<Face> faces;          ///< what the triangles belong to
+  std::vector<Triangle> triangles;  ///< in the order of their faces
 };
 
-/// Adds the surface of `shape`. Flat sides are exact; a curved side lies at most 0.19 mm below its
-/// true surface; a plane becomes a square of 200 m side about its own origin.
+/// Adds the surface of `shape` to `tessellation`. Flat sides are exact, and a curved side lies at
+/// most 0.19 mm below its true surface. A plane becomes a square of 200 m about its own origin.
 void tessellate(const Shape& shape, Tessellation& tessellation);
 
-/// Index of the coplanar patch of each triangle, counted from 0: triangles that share an edge and
-/// lie within 0.05 degrees and 0.1 mm of one plane.
+/// Returns, for each triangle, the index of its coplanar patch, counted from 0. Triangles of a
+/// patch are connected by edges and lie within 0.05 degrees and 0.1 mm of one plane.
 std::vector<int> coplanar_patches(const MeshShape& mesh);
 
 }  // namespace ribbon_mapper::sim

@@ -9,7 +9,7 @@
 namespace ribbon_mapper::sim {
 namespace {
 
-/// Independent errors of a planar pose.
+/// Standard deviations of the independent errors of a planar pose.
 struct PlanarSigma {
   double x_m, y_m, yaw_rad;
 };
@@ -25,9 +25,10 @@ PlanarError drawn(const PlanarSigma& sigma, std::mt19937_64& random) {
   return {sigma.x_m * x, sigma.y_m * y, sigma.yaw_rad * yaw};
 }
 
-/// gmapping (motionmodel.cpp) draws once per update, with a sigma proportional to the step. Here
-/// the variance of such a reference step is spread evenly over the way, so that the drift does not
-/// depend on how finely the way is cut: sigma(step) = sigma(reference) * sqrt(step / reference).
+/// Returns the sigma of the odometry over `step`. gmapping (motionmodel.cpp) draws once per update,
+/// with a sigma proportional to the step. Here the variance of that reference step is spread evenly
+/// over the way: sigma(step) = sigma(reference) * sqrt(step / reference). So the drift does not
+/// depend on how finely the way is divided.
 PlanarSigma motion_sigma(const LocalisationConfig& config, const Pose& step) {
   const double way_m = step.translation().norm(), turn_rad = std::abs(yaw_of(step));
   const double drives = way_m / config.linear_update_m,
@@ -95,7 +96,7 @@ void Localisation::match_scans(std::mt19937_64& random) {
   const double d = config_.drift;
   const PlanarSigma jitter{d * config_.jitter_m, d * config_.jitter_m, d * config_.jitter_rad};
   const PlanarSigma wander{d * config_.wander_m, d * config_.wander_m, d * config_.wander_rad};
-  // Ornstein-Uhlenbeck: the place within the cell is forgotten as the next update comes.
+  // Ornstein-Uhlenbeck: the place within the cell is forgotten by the next update.
   const double correlation_s = config_.linear_update_m / route_.speed_m_s();
   const double keep = std::exp(-1.0 / (config_.map_rate_hz * correlation_s));
   const double fresh = std::sqrt(1.0 - keep * keep);

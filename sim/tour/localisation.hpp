@@ -11,8 +11,8 @@
 
 namespace ribbon_mapper::sim {
 
-/// Noise of the simulated localisation, all of it scaled by `drift`. The figures are those of
-/// gmapping as the PR2 runs it (pr2_navigation_slam/slam_gmapping.xml).
+/// Noise of the simulated localisation. The defaults are gmapping's as configured for the PR2
+/// (pr2_navigation_slam/slam_gmapping.xml).
 struct LocalisationConfig {
   double drift = 1.0;  ///< multiplies every sigma below; 0: exact poses
 
@@ -24,28 +24,31 @@ struct LocalisationConfig {
   double linear_update_m = 0.5;       ///< reference step of a drive
   double angular_update_rad = 0.436;  ///< reference step of a turn
 
-  // Scan matching: the optimiser ends at lstep and astep (0.05 m, 0.05 rad) halved five times;
-  // within a cell of the grid (delta 0.05 m) it cannot tell where it is: delta / sqrt(12), and
-  // that seen at the end of the beams (maxUrange 16 m) for the heading.
-  double jitter_m = 0.05 / 32.0;
-  double jitter_rad = 0.05 / 32.0;
-  double wander_m = 0.05 / 3.4641016151377544;
-  double wander_rad = 0.05 / 3.4641016151377544 / 16.0;
+  // Scan matching: the optimiser stops at lstep and astep (0.05 m, 0.05 rad) halved five times.
+  // Within a cell of the grid (delta 0.05 m) the position is unobservable: delta / sqrt(12). For
+  // the heading, that is seen at the end of the beams (maxUrange 16 m).
+  double jitter_m = 0.05 / 32.0;                         ///< of each match, white
+  double jitter_rad = 0.05 / 32.0;                       ///< of each match, white
+  double wander_m = 0.05 / 3.4641016151377544;           ///< correlated over one update
+  double wander_rad = 0.05 / 3.4641016151377544 / 16.0;  ///< correlated over one update
 
   double odometry_rate_hz = 100.0;  ///< pr2_odometry.yaml
   double map_rate_hz = 30.0;        ///< the paper: 25 to 30 Hz
 
-  void validate() const;  ///< throws std::invalid_argument naming the key and its range
+  /// Throws std::invalid_argument that names a wrong key and its range.
+  void validate() const;
 };
 
-/// What odometry and SLAM believe along a route. There is no loop closure in it.
+/// The poses that odometry and SLAM estimate along a route, without loop closure.
 class Localisation {
  public:
-  /// Throws std::invalid_argument if the configuration is not valid.
+  /// Simulates the whole route. Throws std::invalid_argument if the configuration is not valid.
   Localisation(const Route& route, const LocalisationConfig& config, std::uint64_t seed);
 
-  Pose T_odom_base(Time time) const;  ///< odom begins where the robot starts
-  Pose T_map_odom(Time time) const;   ///< between two corrections as tf interpolates
+  /// Returns the pose by odometry; its frame starts at the robot's first pose.
+  Pose T_odom_base(Time time) const;
+  /// Returns the correction by SLAM, interpolated as tf does.
+  Pose T_map_odom(Time time) const;
 
  private:
   void drive_odometry(std::mt19937_64& random);

@@ -26,7 +26,7 @@ double heading(const Eigen::Vector2d& from, const Eigen::Vector2d& to) {
   return std::atan2(to.y() - from.y(), to.x() - from.x());
 }
 
-/// The same angle in (-pi, pi].
+/// Returns the same angle within (-pi, pi].
 double wrapped(double angle_rad) { return -std::remainder(-angle_rad, 2.0 * kPi); }
 
 std::string collision_text(const Pose& T_map_base, const std::string& shape) {

@@ -12,55 +12,63 @@ namespace ribbon_mapper::sim {
 
 class World;
 
-/// From rest to rest over a length or an angle: constant acceleration, cruise, constant braking;
-/// units are metres or radians.
+/// A motion from rest to rest over a length or an angle: constant acceleration, cruise, constant
+/// braking. Units are metres or radians.
 struct Ramp {
-  double way;
-  double speed;  ///< that the way leaves time to reach
-  double acceleration;
-  double ramp_s;  ///< until the speed is reached
-  double duration_s;
+  double way;           ///< length of the motion
+  double speed;         ///< highest speed that is reached
+  double acceleration;  ///< at the start; the braking is as strong
+  double ramp_s;        ///< time until the highest speed is reached
+  double duration_s;    ///< of the whole motion
 
+  /// Plans the fastest motion over `way_` within the limits.
   Ramp(double way_, double max_speed, double acceleration_);
+  /// Returns the way covered after `time_s`.
   double way_at(double time_s) const;
+  /// Returns the speed after `time_s`, 0 outside the motion.
   double speed_at(double time_s) const;
 };
 
 /// Velocity of the base in its own frame.
 struct Velocity {
-  double forward_m_s = 0.0;
-  double turn_rad_s = 0.0;
+  double forward_m_s = 0.0;  ///< along x
+  double turn_rad_s = 0.0;   ///< about z
 };
 
-/// A way through the world: the robot turns on the spot towards the next waypoint, drives there
-/// straight, and so on; at the end of a closed route it turns back to its first heading.
+/// A way through the world. The robot turns on the spot towards the next waypoint, drives straight
+/// to it, and so on. At the end of a closed route it turns back to its first heading.
 class Route {
  public:
-  /// Reads YAML with `speed` [m/s], `turn_rate` [rad/s] and `waypoints` [[x, y], ...] [m, map], and
-  /// `rest` [s], 0 if it is left out.
-  /// Throws std::runtime_error naming the file and the key.
+  /// Reads YAML with `speed` [m/s], `turn_rate` [rad/s], `waypoints` [[x, y], ...] [m, map] and
+  /// optionally `rest` [s]. Throws std::runtime_error that names the file and the key.
   static Route load(const std::string& path);
 
-  /// Throws std::invalid_argument if a speed is outside the PR2's limits (1 m/s, 2 rad/s), or if
-  /// there are less than two waypoints, or two following ones in the same place. The robot stands
-  /// for `rest_s` before it starts (0 to 1000).
+  /// Plans the motion; the robot rests for `rest_s` (0 to 1000) before it starts. Throws
+  /// std::invalid_argument if a speed exceeds the PR2's limits (1 m/s, 2 rad/s). Also throws it for
+  /// fewer than two waypoints, or two successive ones in the same place.
   Route(double speed_m_s, double turn_rate_rad_s, std::vector<Eigen::Vector2d> waypoints,
         double rest_s = 0.0);
 
+  /// Returns the time from the beginning of the rest to the end of the motion.
   Time duration() const;
+  /// Returns the length of the way.
   double length_m() const { return length_m_; }
+  /// Returns the speed of the drives.
   double speed_m_s() const { return speed_m_s_; }
-  /// The same way at another speed, the turn rate scaled alike up to the PR2's limit. Throws as the
-  /// constructor does.
+  /// Returns the same way at another speed. The turn rate is scaled by the same factor, up to the
+  /// PR2's limit. Throws as the constructor does.
   Route at_speed(double speed_m_s) const;
+  /// Returns true if the last waypoint equals the first.
   bool closed() const { return waypoints_.front() == waypoints_.back(); }
+  /// Returns the waypoints [m, map].
   const std::vector<Eigen::Vector2d>& waypoints() const { return waypoints_; }
 
-  /// Where base_footprint is; before the start and after the end it stands.
+  /// Returns the pose of base_footprint, which stands still before the start and after the end.
   Pose T_map_base(Time time) const;
+  /// Returns the velocity of the base.
   Velocity velocity(Time time) const;
 
-  /// Places along the whole route, at most 2 cm and 2 degrees apart.
+  /// Returns poses along the whole route, at most 2 cm and 2 degrees apart.
   std::vector<Pose> poses_to_check() const;
 
  private:
@@ -69,7 +77,7 @@ class Route {
     double start_s;
     Pose T_map_start;
     double yaw_rad;
-    double turn_sign;  ///< of a turn, 0 for a drive
+    double turn_sign;  ///< -1 or 1 for a turn, 0 for a drive
     Ramp ramp;
     Pose pose_at(double way) const;
   };
@@ -86,8 +94,8 @@ class Route {
   double end_yaw_rad_, end_s_;
 };
 
-/// Throws std::runtime_error naming the place and what is hit if the PR2's body meets the world
-/// somewhere on the route, looked at every 2 cm and 2 degrees.
+/// Checks the route every 2 cm and 2 degrees. Throws std::runtime_error that names the place and
+/// the obstacle if the PR2's body collides with the world.
 void require_free(const World& world, const Route& route);
 
 }  // namespace ribbon_mapper::sim

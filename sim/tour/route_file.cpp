@@ -37,7 +37,7 @@ std::vector<Eigen::Vector2d> points_of(const YAML::Node& list) {
   std::vector<Eigen::Vector2d> points;
   for (const YAML::Node& point : list) {
     if (!point.IsSequence() || point.size() != 2)
-      throw std::runtime_error("waypoint " + std::to_string(points.size() + 1) + " is no [x, y]");
+      throw std::runtime_error("waypoint " + std::to_string(points.size() + 1) + " is not [x, y]");
     points.emplace_back(number(point[0], "waypoints"), number(point[1], "waypoints"));
   }
   return points;

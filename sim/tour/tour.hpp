@@ -16,41 +16,52 @@
 
 namespace ribbon_mapper::sim {
 
-/// Everything that a simulated tour depends on. The same configuration gives the same bytes.
+/// Everything that a tour depends on, besides world and route. The same configuration gives the
+/// same bytes.
 struct TourConfig {
-  HokuyoConfig hokuyo;
-  TiltProfileConfig tilt;
-  LocalisationConfig localisation;
-  std::uint64_t seed = 1;
+  HokuyoConfig hokuyo;              ///< laser
+  TiltProfileConfig tilt;           ///< motion of the laser
+  LocalisationConfig localisation;  ///< noise of odometry and SLAM
+  std::uint64_t seed = 1;           ///< of all random numbers
 };
 
-/// A PR2 that drives a route through a world and scans with its tilting laser: from time 0 on, as
-/// many lines as end before the route does. The world must outlive the tour.
+/// A PR2 that drives a route through a world and scans with its tilting laser. Lines start at time
+/// 0; the last one ends before the route does.
 class Tour {
  public:
-  /// Throws std::invalid_argument (a bad value) or std::runtime_error (a route that collides).
+  /// Prepares the tour; the world must outlive it. Throws std::invalid_argument (a bad value) or
+  /// std::runtime_error (a route that collides).
   Tour(const World& world, const Route& route, const TourConfig& config);
   ~Tour();
   Tour(const Tour&) = delete;
   Tour& operator=(const Tour&) = delete;
 
+  /// Returns the duration of the route.
   Time duration() const;
-  std::size_t line_count() const;  ///< lines of the whole tour
+  /// Returns the number of lines of the whole tour.
+  std::size_t line_count() const;
 
-  /// The next line of the laser, nothing after the last.
+  /// Returns the next line of the laser, nothing after the last.
   std::optional<Scan> next_scan();
 
-  /// Any line of the tour, the same as next_scan() gives. Thread-safe.
+  /// Returns any line of the tour, the same as next_scan() returns. For several threads at once.
   Scan scan(std::size_t line) const;
 
-  // Poses at any time of the tour, 0 .. duration().
+  // Times from 0 to duration().
+  /// Returns the true pose of the base.
   Pose true_T_map_base(Time time) const;
-  Velocity true_velocity(Time time) const;  ///< of the base, in its own frame
-  Pose T_odom_base(Time time) const;        ///< odometry with its drift
-  Pose T_map_odom(Time time) const;         ///< what the simulated SLAM says
-  Pose noisy_T_map_base(Time time) const;   ///< T_map_odom * T_odom_base
-  double tilt_angle(Time time) const;       ///< laser_tilt_mount_joint [rad], positive looks down
-  Pose T_base_laser(Time time) const;       ///< laser_tilt_link in base_footprint
+  /// Returns the true velocity of the base, in its own frame.
+  Velocity true_velocity(Time time) const;
+  /// Returns the pose by odometry, with its drift.
+  Pose T_odom_base(Time time) const;
+  /// Returns the correction by the simulated SLAM.
+  Pose T_map_odom(Time time) const;
+  /// Returns the pose by odometry and SLAM: T_map_odom * T_odom_base.
+  Pose noisy_T_map_base(Time time) const;
+  /// Returns laser_tilt_mount_joint [rad]; positive looks down.
+  double tilt_angle(Time time) const;
+  /// Returns the pose of laser_tilt_link in base_footprint.
+  Pose T_base_laser(Time time) const;
 
  private:
   struct State;

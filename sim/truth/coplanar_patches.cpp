@@ -11,9 +11,9 @@
 namespace ribbon_mapper::sim {
 namespace {
 
-constexpr double kCosine = 0.9999996192;  // of 0.05 degrees
+constexpr double kCosine = 0.9999996192;  // cosine of 0.05 degrees
 constexpr double kOffset_m = 0.0001;
-constexpr double kWeld_m = 1e-5;  // exporters write a corner once per triangle
+constexpr double kWeld_m = 1e-5;  // exporters repeat a corner for each triangle
 
 using VertexKey = std::tuple<long, long, long>;
 using Edge = std::pair<int, int>;

@@ -11,15 +11,18 @@
 
 namespace ribbon_mapper::sim {
 
-/// Which cells of a plane's grid beams hit, and the first face hit in each. Kept in square tiles:
-/// successive beams hit the same tile mostly.
+/// The cells of a plane's grid that beams hit, and the first face hit in each. Cells are stored in
+/// square tiles, because successive beams mostly hit the same tile.
 class HitGrid {
  public:
+  /// Makes a grid without hits.
   HitGrid() = default;
+  /// Takes over the cells of another grid.
   HitGrid(HitGrid&&) = default;
   HitGrid(const HitGrid&) = delete;  // it points into itself
 
-  /// The cell's number: `next_number` if it is hit for the first time.
+  /// Adds a hit of `face` at column `u` and row `v`. Returns the number of the cell, which is
+  /// `next_number` at its first hit.
   int add(std::int32_t u, std::int32_t v, int face, int next_number) {
     const std::uint64_t key = key_of(u >> kTileBits, v >> kTileBits);
     if (key != last_key_ || !last_tile_) find(key);
@@ -28,7 +31,7 @@ class HitGrid {
     return hit.number;
   }
 
-  /// All cells hit, in no particular order.
+  /// Returns all cells with a hit, in no particular order.
   std::vector<HitCell> cells() const;
 
  private:
@@ -47,7 +50,7 @@ class HitGrid {
 
   std::unordered_map<std::uint64_t, Tile> tiles_;
   std::uint64_t last_key_ = 0;
-  Tile* last_tile_ = nullptr;  ///< stays where it is as tiles are added
+  Tile* last_tile_ = nullptr;  ///< remains valid when tiles are added
 };
 
 }  // namespace ribbon_mapper::sim

@@ -17,10 +17,10 @@ using Eigen::Vector3d;
 
 constexpr double kCell_m = 0.05;
 constexpr double kMaxGap_m = 1.0;
-constexpr double kSameNormalCosine = 0.99996192;  // of 0.5 degrees
+constexpr double kSameNormalCosine = 0.99996192;  // cosine of 0.5 degrees
 constexpr double kSameOffset_m = 0.01;
 
-/// One side of all world faces in one plane, and the cells of it that beams hit.
+/// One side of all world faces that lie in one plane, and its cells that beams hit.
 struct Group {
   Vector3d normal;
   double d_m;
@@ -34,7 +34,7 @@ struct Group {
     v_axis = normal.cross(u_axis);
   }
 
-  /// The cell's number: `next_number` if it is hit for the first time.
+  /// Adds a hit and returns the number of its cell, which is `next_number` at its first hit.
   int add(const Vector3d& point, int face, int next_number) {
     const auto u = static_cast<std::int32_t>(std::floor(point.dot(u_axis) / kCell_m));
     const auto v = static_cast<std::int32_t>(std::floor(point.dot(v_axis) / kCell_m));
@@ -75,7 +75,7 @@ struct Group {
 struct TruthCollector::State {
   const World& world;
   std::vector<Group> groups;
-  std::vector<int> outer, inner;  ///< group of each face seen from its normal's side, from behind
+  std::vector<int> outer, inner;  ///< group by face, seen from its normal's side and from behind
   int cell_count = 0;
 
   int group_of(const Vector3d& normal, double d_m) {

@@ -12,31 +12,37 @@
 
 namespace ribbon_mapper::sim {
 
-/// A plane of the world as far as the beams saw it: a connected patch of 5 cm cells on world faces
-/// with the same side, normal (within 0.5 degrees) and offset (within 1 cm); gaps of at most 1.0 m
-/// are bridged, patches below 0.5 m2 are no planes, curved faces neither (design: Truth).
+/// The part of a plane of the world that beams hit: a connected patch of 5 cm cells. Its faces have
+/// the same visible side, normal (within 0.5 degrees) and offset (within 1 cm). Gaps of at most 1 m
+/// are bridged, so a wall with a door in it is one plane. Patches below 0.5 m2 and curved faces are
+/// not planes.
 struct TruthPlane {
-  int id = 0;
-  Eigen::Vector3d normal = Eigen::Vector3d::UnitZ();  ///< towards the side that the beams came from
+  int id = 0;                                         ///< position in TruthCollector::planes()
+  Eigen::Vector3d normal = Eigen::Vector3d::UnitZ();  ///< towards the laser
   double d_m = 0.0;                                   ///< n.p + d = 0 in map
-  double area_m2 = 0.0;
+  double area_m2 = 0.0;                               ///< of the cells
   std::vector<Eigen::Vector3d> cells;  ///< centres of the hit cells, in map, on the plane
-  std::vector<int> cell_numbers;       ///< of the cells, as TruthCollector::add() gave them
+  std::vector<int> cell_numbers;       ///< of the cells, as TruthCollector::add() returns them
   std::vector<int> faces;              ///< indices into World::faces()
 };
 
-/// Collects where beams really hit the world.
+/// Collects where the beams of a tour truly hit the world.
 class TruthCollector {
  public:
+  /// Starts without hits. The world must outlive the collector.
   explicit TruthCollector(const World& world);
   ~TruthCollector();
-  /// A hit without noise, in map; `face` as World::cast() gives it (-1 is ignored). The beam's
-  /// origin tells the side: both sides of a thin wall are planes of their own. Returns the number
-  /// of the cell that was hit, the same at every hit; -1 if the hit is on no planar face.
+
+  /// Adds a hit without noise, in map; `face` is that of World::cast(), -1 is ignored. The beam's
+  /// origin decides which side was seen: the sides of a thin wall are separate planes. Returns the
+  /// number of the cell, the same at each hit, or -1 if the hit is not on a planar face.
   int add(const Eigen::Vector3d& point_map, const Eigen::Vector3d& origin_map, int face);
-  /// All hits of a scan. Returns the number of the cell that each beam hit.
+
+  /// Adds all hits of a scan. Returns the number of each beam's cell, -1 as above.
   std::vector<int> add(const Scan& scan);
-  /// Truth planes seen so far, largest first. A smaller `min_area_m2` shows what fell short.
+
+  /// Returns the planes seen so far, largest first. A smaller `min_area_m2` returns small patches,
+  /// too.
   std::vector<TruthPlane> planes(double min_area_m2 = 0.5) const;
 
  private:

@@ -19,7 +19,7 @@ std::uint64_t key_of(std::int32_t u, std::int32_t v) {
          static_cast<std::uint32_t>(v);
 }
 
-/// Sets of cells that grow together (union-find with path halving).
+/// Disjoint sets of cells (union-find with path halving).
 class Sets {
  public:
   explicit Sets(std::size_t count) : parent_(count) {
@@ -39,13 +39,13 @@ class Sets {
   std::vector<int> parent_;
 };
 
-/// Squared gap between the edges of two cells, in cells.
+/// Returns the squared gap between the edges of two cells, in cells.
 double squared_gap(const HitCell& a, const HitCell& b) {
   const double du = std::max(0, std::abs(a.u - b.u) - 1), dv = std::max(0, std::abs(a.v - b.v) - 1);
   return du * du + dv * dv;
 }
 
-/// Unites cells that touch, and returns those on the rim: only they can be next to another patch.
+/// Unites touching cells. Returns the cells on the rim, which alone can be near another patch.
 std::vector<int> unite_touching(const std::vector<HitCell>& cells, Sets& sets) {
   std::unordered_map<std::uint64_t, int> at;
   for (std::size_t i = 0; i < cells.size(); ++i)
@@ -65,7 +65,7 @@ std::vector<int> unite_touching(const std::vector<HitCell>& cells, Sets& sets) {
   return rim;
 }
 
-/// Unites patches across gaps; rim cells are sorted into squares as wide as the reach.
+/// Unites patches across gaps. Rim cells are sorted into squares as wide as the largest gap.
 void unite_across_gaps(const std::vector<HitCell>& cells, const std::vector<int>& rim,
                        double max_gap_cells, Sets& sets) {
   const int width = static_cast<int>(std::ceil(max_gap_cells)) + 1;

@@ -9,13 +9,14 @@ namespace ribbon_mapper::sim {
 
 /// A cell of a plane's grid that a beam hit.
 struct HitCell {
-  std::int32_t u = 0, v = 0;  ///< column and row
-  int face = 0;               ///< index into World::faces()
-  int number = 0;             ///< among all cells that were hit
+  std::int32_t u = 0;  ///< column
+  std::int32_t v = 0;  ///< row
+  int face = 0;        ///< index into World::faces()
+  int number = 0;      ///< unique among all cells of a TruthCollector
 };
 
-/// Patches of the cells: single linkage of cells whose edges are at most `max_gap_cells` apart.
-/// Neither the patches nor the cells in them depend on the order of `cells`.
+/// Groups cells into patches by single linkage: cells whose edges are at most `max_gap_cells` apart
+/// belong together. Neither the patches nor the cells in them depend on the order of `cells`.
 std::vector<std::vector<HitCell>> linked_patches(std::vector<HitCell> cells, double max_gap_cells);
 
 }  // namespace ribbon_mapper::sim

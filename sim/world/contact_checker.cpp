@@ -10,7 +10,7 @@
 namespace ribbon_mapper::sim {
 namespace {
 
-constexpr double kTouch_m = 1e-6;  // less than this is lying against each other
+constexpr double kTouch_m = 1e-6;  // shapes that overlap by less only touch
 constexpr double kPi = 3.14159265358979323846;
 
 btVector3 to_bullet(const Eigen::Vector3d& v) { return {v.x(), v.y(), v.z()}; }
@@ -30,8 +30,8 @@ std::unique_ptr<btTriangleMesh> triangles_of(const MeshShape& mesh) {
   return triangles;
 }
 
-/// Sum of the solid angles of the triangles seen from `point` (Van Oosterom and Strackee 1983): a
-/// full sphere inside a closed mesh, zero outside.
+/// Returns true if the mesh encloses `point`. Sums the solid angles of the triangles as seen from
+/// there (Van Oosterom and Strackee 1983): a full sphere inside a closed mesh, zero outside.
 bool encloses(const MeshShape& mesh, const Eigen::Vector3d& point) {
   double half_angles = 0.0;
   for (const auto& triangle : mesh.triangles) {

@@ -11,15 +11,17 @@
 
 namespace ribbon_mapper::sim {
 
-/// Whether a box meets the solids of the world: Bullet's contact test with primitive shapes, so
-/// that a box inside a solid is found too; for meshes, which are hollow to Bullet, by winding
-/// number.
+/// Detects contacts between a box and the solids of a world. Primitive shapes are tested as solids
+/// by Bullet, so a box inside one is detected. Meshes are hollow to Bullet; a box inside one is
+/// detected by the winding number.
 class ContactChecker {
  public:
+  /// Prepares the contact test for `shapes`, which it copies.
   explicit ContactChecker(const std::vector<Shape>& shapes);
   ~ContactChecker();
 
-  /// Name of a shape that the box of `size_m` meets (the deepest one), nothing if it is free.
+  /// Returns the name of the shape that the box of `size_m` penetrates deepest, nothing if the box
+  /// is free. Not for several threads at once.
   std::optional<std::string> contact(const Pose& T_map_box, const Eigen::Vector3d& size_m);
 
  private:

@@ -7,12 +7,12 @@
 
 namespace ribbon_mapper::sim {
 
-/// Existing file or folder that `uri` means: an absolute path, or one below `base_folder` or one of
-/// `folders`, with `model://` and `file://` taken off; empty if there is none.
+/// Returns the existing file or folder that `uri` refers to, empty if there is none. `model://` and
+/// `file://` are removed; a relative path is looked up in `base_folder`, then in `folders`.
 std::string find_resource(const std::string& uri, const std::string& base_folder,
                           const std::vector<std::string>& folders);
 
-/// The parts of a colon-separated list such as GAZEBO_MODEL_PATH, empty parts left out.
+/// Returns the non-empty parts of a colon-separated list such as GAZEBO_MODEL_PATH.
 std::vector<std::string> split_path_list(const std::string& list);
 
 }  // namespace ribbon_mapper::sim

@@ -32,7 +32,7 @@ std::string joined(const sdf::Errors& errors) {
   return text;
 }
 
-/// Walks worlds, models and links, and gathers their collisions.
+/// Walks through worlds, models and links and collects their collisions.
 class Reader {
  public:
   Reader(std::string path, std::vector<std::string> model_paths)

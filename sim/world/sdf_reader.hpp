@@ -9,9 +9,9 @@
 
 namespace ribbon_mapper::sim {
 
-/// All collision elements of an SDF file, placed in its world frame. URIs (`model://`, `file://`,
-/// relative) are looked up in the folder of the file that holds them, then in `model_paths`.
-/// Throws std::runtime_error naming the file and what to do about it.
+/// Reads all collision elements of an SDF file, posed in its world frame. URIs (`model://`,
+/// `file://`, relative) are looked up in the folder of the referring file, then in `model_paths`.
+/// Throws std::runtime_error that names the file and says what to do.
 std::vector<Shape> read_sdf(const std::string& path, const std::vector<std::string>& model_paths);
 
 }  // namespace ribbon_mapper::sim

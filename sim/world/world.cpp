@@ -16,7 +16,7 @@ Tessellation tessellated(const std::vector<Shape>& shapes) {
   return tessellation;
 }
 
-/// Where a triangle's edges pass the height `z_m`: two points, or none.
+/// Returns the two points where the triangle's edges cross the height `z_m`, or none.
 std::vector<Eigen::Vector2d> section(const Triangle& triangle, double z_m) {
   std::vector<Eigen::Vector2d> points;
   for (int i = 0; i < 3; ++i) {
@@ -31,16 +31,19 @@ std::vector<Eigen::Vector2d> section(const Triangle& triangle, double z_m) {
 }  // namespace
 
 struct World::State {
-  explicit State(const std::vector<Shape>& shapes)
-      : tessellation(tessellated(shapes)), rays(tessellation.triangles), contacts(shapes) {}
+  State(const std::vector<Shape>& shapes, RayCasterKind caster)
+      : tessellation(tessellated(shapes)),
+        rays(make_ray_caster(caster, tessellation.triangles)),
+        contacts(shapes) {}
 
   Tessellation tessellation;
-  RayCaster rays;
+  std::unique_ptr<const RayCaster> rays;
   ContactChecker contacts;
 };
 
-World World::load(const std::string& path, const std::vector<std::string>& model_paths) {
-  return World(std::make_unique<State>(read_sdf(path, model_paths)));
+World World::load(const std::string& path, const std::vector<std::string>& model_paths,
+                  RayCasterKind caster) {
+  return World(std::make_unique<State>(read_sdf(path, model_paths), caster));
 }
 
 World::World(std::unique_ptr<State> state) : state_(std::move(state)) {}
@@ -50,12 +53,7 @@ World::~World() = default;
 
 std::optional<Hit> World::cast(const Eigen::Vector3d& origin_map,
                                const Eigen::Vector3d& direction_map, double max_range_m) const {
-  return state_->rays.cast({origin_map, direction_map}, max_range_m);
-}
-
-std::vector<std::optional<Hit>> World::cast_line(const std::vector<Ray>& rays,
-                                                 double max_range_m) const {
-  return state_->rays.cast_line(rays, max_range_m);
+  return state_->rays->cast({origin_map, direction_map}, max_range_m);
 }
 
 const std::vector<Face>& World::faces() const { return state_->tessellation.faces; }

@@ -15,34 +15,39 @@
 
 namespace ribbon_mapper::sim {
 
-/// The collision shapes of an SDF world, fixed for good. Its frame is `map`.
+/// The collision shapes of an SDF world, which never change. The frame of the world is `map`.
 class World {
  public:
-  /// Reads an SDF file: box, cylinder, sphere, plane and mesh collisions. `model_paths` are
-  /// searched for `model://` and relative URIs after the file's own folder. Throws
-  /// std::runtime_error that names the file and says what to do if it is missing, broken or without
-  /// a collision, or if an include or mesh of it is not found.
-  static World load(const std::string& path, const std::vector<std::string>& model_paths = {});
+  /// Reads an SDF file with box, cylinder, sphere, plane and mesh collisions. `model_paths` are
+  /// searched for `model://` and relative URIs after the file's own folder; `caster` casts its
+  /// rays. Throws std::runtime_error that names the file and says what to do: the file may be
+  /// missing, broken or without collisions, or an include or mesh may be missing. Throws
+  /// std::invalid_argument if this build lacks `caster`.
+  static World load(const std::string& path, const std::vector<std::string>& model_paths = {},
+                    RayCasterKind caster = RayCasterKind::bullet);
 
+  /// Takes over the content of another world.
   World(World&&) noexcept;
+  /// Takes over the content of another world.
   World& operator=(World&&) noexcept;
   ~World();
 
-  /// First surface along a ray (`direction` of length 1, both in map), from either side.
+  /// Returns the first surface along a ray, seen from either side; nothing if there is none within
+  /// `max_range_m`. The direction is of unit length. For several threads at once.
   std::optional<Hit> cast(const Eigen::Vector3d& origin_map, const Eigen::Vector3d& direction_map,
                           double max_range_m) const;
 
-  /// The same for each ray of a scan line, all together: faster (RayCaster::cast_line).
-  std::vector<std::optional<Hit>> cast_line(const std::vector<Ray>& rays, double max_range_m) const;
-
+  /// Returns the faces that hits refer to.
   const std::vector<Face>& faces() const;
+
+  /// Returns the triangles that rays are cast into.
   const std::vector<Triangle>& triangles() const;
 
-  /// Name (model::link::collision) of a solid that a box of `size_m` meets, nothing if it is free.
-  /// Not for several threads at once.
+  /// Returns the name (model::link::collision) of a solid that a box of `size_m` penetrates,
+  /// nothing if the box is free. Not for several threads at once.
   std::optional<std::string> contact(const Pose& T_map_box, const Eigen::Vector3d& size_m) const;
 
-  /// Where the surfaces cut the height `z_m`: segments for a top view.
+  /// Returns where the surfaces cross the height `z_m`, as segments [m] of a top view.
   std::vector<std::array<Eigen::Vector2d, 2>> outlines_at(double z_m) const;
 
  private:

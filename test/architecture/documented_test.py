@@ -33,6 +33,7 @@ class Reader(unittest.TestCase):
     def test_each_kind_of_declaration(self):
         text = """namespace a {
             class Forward;
+            DECLARE_ALL_IN_ONE;
             using std::swap;
             enum class Colour { red, green = 2 };
             template <class T, int N = 3> struct Pair : Base<T> { T first{}, *second = nullptr; };
@@ -66,8 +67,8 @@ class Reader(unittest.TestCase):
 
     def test_comments_above_and_behind(self):
         text = ("/// A type.\nstruct A {\n  int a;  ///< behind\n\n  /// Above.\n  int b;\n"
-                "  int c;  // not a doc comment\n  int d() const {  ///< behind a head\n    return 1;\n"
-                "  }\n  int e() {\n    return 1;  ///< within a body\n  }\n};\n")
+                "  int c;  // not a doc comment\n  int d() const {  ///< behind a head\n"
+                "    return 1;\n  }\n  int e() {\n    return 1;  ///< within a body\n  }\n};\n")
         self.assertEqual(["A", "a", "b", "A::d", "A::e"], self.names(text, documented=True))
         self.assertEqual(["c"], self.names(text, documented=False))
 

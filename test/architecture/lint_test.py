@@ -49,7 +49,8 @@ class Lint(Scratch):
             self.assertIn(part, output)
 
     def test_nothing_to_find(self):
-        text = ("#include <vector>\n\nnamespace a {\ninline constexpr int kSize = 2;\n}  // namespace a\n")
+        text = ("#include <vector>\n\nnamespace a {\ninline constexpr int kSize = 2;\n"
+                "}  // namespace a\n")
         self.assertEqual((0, "lint: clean\n"), self.lint(text))
         self.assertEqual((0, "lint: clean\n"), self.lint(text))  # from the cache
 
@@ -67,12 +68,14 @@ class Lint(Scratch):
             with self.subTest(text):
                 self.assert_found(text, part, "readability-identifier-naming")
 
-    def test_names_of_poses_and_matrices(self):
-        text = "int f(int T_map_base, int H) {\n  const int R_model_base = H;\n  return R_model_base + T_map_base;\n}\n"
+    def test_names_of_poses_matrices_and_units(self):
+        text = ("inline constexpr int kWall_m = 1;\n\nint f(int T_map_base, int H) {\n"
+                "  const int R_model_base = H + kWall_m;\n  return R_model_base + T_map_base;\n}\n")
         self.assertEqual((0, "lint: clean\n"), self.lint(text))
 
     def test_bug_prone_code(self):
-        text = "#include <string>\n#include <utility>\n\nstd::size_t f(std::string a) {\n  const std::string b = std::move(a);\n  return a.size() + b.size();\n}\n"
+        text = ("#include <string>\n#include <utility>\n\nstd::size_t f(std::string a) {\n"
+                "  const std::string b = std::move(a);\n  return a.size() + b.size();\n}\n")
         self.assert_found(text, "'a' used after it was moved", "bugprone-use-after-move")
 
     def test_warnings_of_clang(self):

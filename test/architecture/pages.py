@@ -72,12 +72,16 @@ def _anchors(text):
     """Returns the anchors of the headings, as GitHub makes them."""
     found = collections.Counter()
     anchors = set(re.findall(r'<a (?:id|name)="([^"]+)"', text))
-    for heading in re.findall(r"^#+ +(.*?)\s*#*$", re.sub(r"```.*?```", "", text, flags=re.S), re.M):
+    for heading in re.findall(r"^#+ +(.*?)\s*#*$", _without_code(text), re.M):
         words = re.sub(r"\[([^\]]*)\]\([^)]*\)", r"\1", heading).lower()
         slug = re.sub(r"[^\w\- ]", "", words).replace(" ", "-")
         anchors.add(f"{slug}-{found[slug]}" if found[slug] else slug)
         found[slug] += 1
     return anchors
+
+
+def _without_code(text):
+    return re.sub(r"```.*?```", "", text, flags=re.S)
 
 
 def blocks(root):
@@ -91,7 +95,8 @@ def _blocks_of(page, name):
     for number, line in enumerate(lines, 1):
         fence = re.match(r"\s*```(\S*)", line)
         if not fence and begin is None and line.strip():
-            before = f"{before}\n{line}" if before.startswith("<!--") and "-->" not in before else line
+            open_comment = before.startswith("<!--") and "-->" not in before
+            before = f"{before}\n{line}" if open_comment else line
         elif fence and begin is None:
             begin, language = number, fence.group(1)
         elif fence:

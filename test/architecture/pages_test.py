@@ -47,7 +47,8 @@ class PlantedDefects(unittest.TestCase):
 
     def test_a_broken_link_and_a_missing_heading(self):
         self.plant("README.md", "# A\n[a](docs/no.md)\n![b](b.png)\n[c](#no)\n")
-        self.assertEqual(["README.md:2: no such file: docs/no.md", "README.md:3: no such file: b.png",
+        self.assertEqual(["README.md:2: no such file: docs/no.md",
+                          "README.md:3: no such file: b.png",
                           "README.md:4: no such heading: #no"], pages.broken_links(self.root))
 
     def test_a_page_that_nothing_leads_to(self):
@@ -58,14 +59,16 @@ class PlantedDefects(unittest.TestCase):
                          pages.unreached(self.root))
 
     def test_fences_without_language_and_marks_without_reason(self):
-        self.plant("README.md", "```\nls\n```\n```console\nls\n```\n<!-- not run -->\n```bash\nls\n```\n")
+        self.plant("README.md", "```\nls\n```\n```console\nls\n```\n"
+                   "<!-- not run -->\n```bash\nls\n```\n")
         messages = pages.wrong_blocks(self.root)
         self.assertEqual(3, len(messages), messages)
         for message, part in zip(messages, ["without a language", "not console", "a reason"]):
             self.assertIn(part, message)
 
     def test_a_wrong_command(self):
-        self.plant("README.md", "```bash\ntest -e README.md | cat\n```\n```bash\nls no_such_file\ntrue\n```\n")
+        self.plant("README.md", "```bash\ntest -e README.md | cat\n```\n"
+                   "```bash\nls no_such_file\ntrue\n```\n")
         self.plant("docs/how_to/a.md", "<!-- not run:\nneeds a robot -->\n\n```bash\nfalse\n```\n")
         messages = pages.failing_commands(self.root, self.root)
         self.assertEqual(1, len(messages), messages)

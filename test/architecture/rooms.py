@@ -105,7 +105,7 @@ def _wrong_includes_of(path, name):
 
 
 def wrong_files(root):
-    """Returns one message for each source that is too long, lacks its two SPDX lines, or is in a utils."""
+    """Returns one message for each source that is too long, unlicensed, or in a drawer."""
     messages = []
     for top in ["bench", "eval", "examples", "modeler", "sim", "test", "tools"]:
         for path in sorted((root / top).rglob("*")):

@@ -35,7 +35,7 @@ class BagCheck : public testing::Test {
     EXPECT_TRUE(report.can_be_mapped()) << report.text();
     expect_words(report, Finding::Weight::warning, words);
   }
-  /// What bag_check itself answers.
+  /// Returns the exit code of bag_check.
   int exit_code() const {
     return WEXITSTATUS(
         std::system((std::string(BAG_CHECK) + " " + file_.string() + " > /dev/null 2>&1").c_str()));
@@ -186,7 +186,7 @@ TEST_F(BagCheck, ScansThatDoNotFitTheirAngles) {
 
 TEST_F(BagCheck, TransformsInALoop) {
   bag_.spoil_tf = [](tf2_msgs::TFMessage& message) {
-    message.transforms[1].header.frame_id = "laser_tilt_link";  // whose parents end at the base
+    message.transforms[1].header.frame_id = "laser_tilt_link";  // whose ancestors end at the base
   };
   finds_fault(check(bag_), "would be dropped");
 }

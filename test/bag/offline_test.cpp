@@ -66,7 +66,7 @@ TEST(Offline, ATrajectoryOfAnotherRunIsRefused) {
   std::ofstream(file) << to_tum(other);
   try {
     run(kRoom, "pr2.yaml", file);
-    ADD_FAILURE() << "taken";
+    ADD_FAILURE() << "accepted";
   } catch (const std::invalid_argument& error) {
     EXPECT_THAT(error.what(), HasSubstr("of another run"));
   }
@@ -88,7 +88,7 @@ TEST(Offline, ABagWithoutPosesSaysWhatIsMissing) {
 
 struct Drift {
   double scale;
-  double tolerance_m;  ///< of a plane's place
+  double tolerance_m;  ///< for the position of a plane
 };
 class Keyframes : public testing::TestWithParam<Drift> {};
 
@@ -114,8 +114,9 @@ TEST_P(Keyframes, EachMetreGiveTheModelOfDenseOnes) {
   }
 }
 
-// Of wheels with an IMU; of what a particle filter assumes; of the experiment. With the last one a
-// pose is worth 5 to 10 mm to the next line, and there are but four of them within this short tour.
+// Drift of wheels with an IMU, as a particle filter assumes it, and of the experiments. With the
+// last one a pose is known to 5 to 10 mm at the next line, and this short tour has only four of
+// them.
 INSTANTIATE_TEST_SUITE_P(Offline, Keyframes,
                          testing::Values(Drift{0.3, 0.005}, Drift{1.0, 0.005}, Drift{3.0, 0.01}));
 
@@ -160,7 +161,8 @@ TEST(RealRecordings, Room240) {
             4);
   EXPECT_LT(*found.summary.residual_m_median, 0.02);
   EXPECT_EQ(found.summary.duplicates, 0u);
-  for (const Plane& plane : found.planes_after) {  // lines sweep about y: their normals have none
+  // The laser tilts about y: the normals of true planes have hardly any y.
+  for (const Plane& plane : found.planes_after) {
     const Eigen::Vector3d n = plane.normal.cwiseAbs();
     const bool is_of_a_line = n.y() < 0.1 && n.x() > 0.2 && n.z() > 0.45;
     EXPECT_FALSE(is_of_a_line) << plane.normal.transpose();

@@ -55,7 +55,7 @@ TEST(WireReader, ReadsAKnownMessageByItsDefinition) {
   }
 }
 
-/// The parts of rtabmap_msgs/MapData that matter, with others between them.
+/// The relevant parts of rtabmap_msgs/MapData, with some others between them.
 const char* const kMapData = R"(std_msgs/Header header
 MapGraph graph
 Node[] nodes
@@ -134,7 +134,7 @@ TEST(RtabmapPath, WithOneStampForAllIsRefusedWithTheReason) {
   for (StampedPose& pose : poses) pose.stamp = std::chrono::seconds(5);
   try {
     trajectory_of(path_message(poses, "map", poses[0].stamp), "map");
-    ADD_FAILURE() << "taken";
+    ADD_FAILURE() << "accepted";
   } catch (const std::invalid_argument& error) {
     EXPECT_THAT(error.what(), HasSubstr("all poses carry one stamp"));
     EXPECT_THAT(error.what(), HasSubstr("mapData"));

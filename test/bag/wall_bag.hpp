@@ -11,22 +11,26 @@
 
 namespace ribbon_mapper {
 
-/// A robot that stands 3 m before a wall and tilts its laser, as a bag: what the tests spoil.
+/// A bag of a robot that stands 3 m before a wall and tilts its laser. Tests spoil it.
 struct WallBag {
-  int lines = 200;
-  std::string scan_topic = "/tilt_scan";
-  std::string laser_frame = "laser_tilt_link";
-  std::string slash;  ///< before all frames in tf
-  double first_stamp_s = 1000.0;
-  double tilt_rad = 0.3;  ///< to either side, period 2 s
-  bool with_tf = true, with_static = true, with_map = true;
-  bool static_last = false;
-  double tf_gap_begin_s = -1.0,
-         tf_gap_end_s = -1.0;  ///< no /tf in between, from the first stamp on
-  bool is_compressed = true;
-  std::function<bool(int line, sensor_msgs::LaserScan& scan)> spoil_scan;  ///< false: leave it out
-  std::function<void(tf2_msgs::TFMessage& message)> spoil_tf;
+  int lines = 200;                              ///< number of scans, at 40 Hz
+  std::string scan_topic = "/tilt_scan";        ///< of all scans
+  std::string laser_frame = "laser_tilt_link";  ///< of all scans
+  std::string slash;                            ///< prefix of all frames in tf
+  double first_stamp_s = 1000.0;                ///< of scans and tf; recorded from 1000 s on
+  double tilt_rad = 0.3;                        ///< amplitude; the period is 2 s
+  bool with_tf = true;                          ///< has /tf
+  bool with_static = true;                      ///< has /tf_static
+  bool with_map = true;                         ///< has the frame map
+  bool static_last = false;                     ///< /tf_static is recorded last
+  double tf_gap_begin_s = -1.0;                 ///< /tf has a gap from here, after the first stamp
+  double tf_gap_end_s = -1.0;                   ///< end of the gap
+  bool is_compressed = true;                    ///< by BZ2
+  std::function<bool(int line, sensor_msgs::LaserScan& scan)>
+      spoil_scan;                                              ///< returns false to leave it out
+  std::function<void(tf2_msgs::TFMessage& message)> spoil_tf;  ///< changes each message
 
+  /// Writes the bag.
   void write(const std::filesystem::path& file) const;
 
  private:

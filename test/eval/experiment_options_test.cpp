@@ -92,6 +92,7 @@ INSTANTIATE_TEST_SUITE_P(
                     std::pair(Arguments{"--seeds", "5-1"}, "1-20"),
                     std::pair(Arguments{"--jobs", "0"}, "--jobs"),
                     std::pair(Arguments{"--noise", "loud"}, "datasheet"),
+                    std::pair(Arguments{"--caster", "ode"}, "embree"),
                     std::pair(Arguments{"--tilt", "wild"}, "manip"),
                     std::pair(Arguments{"--tilt", "nav,wild"}, "manip"),
                     std::pair(Arguments{"--drift", "1,-1"}, "--drift"),

@@ -13,6 +13,7 @@
 #include "modeler/io/octomap.hpp"
 #include "modeler/io/planes_json.hpp"
 #include "modeler/io/ply.hpp"
+#include "modeler/surface/surface_config.hpp"
 #include "test/io/small_plane.hpp"
 
 namespace ribbon_mapper {
@@ -77,7 +78,7 @@ TEST(Ply, CloudHasOnePointPerCell) {
 }
 
 TEST(Ply, MeshCoversTheCellsAndFacesTheSeenSide) {
-  const std::string ply = planes_to_ply_mesh({small_plane()});
+  const std::string ply = planes_to_ply_mesh({small_plane()}, SurfaceConfig{}.stripe_gap_m);
   ASSERT_NE(ply.find("element vertex 4\n"), std::string::npos);
   ASSERT_NE(ply.find("element face 2\n"), std::string::npos);
   const std::string body = body_of(ply);

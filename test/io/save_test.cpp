@@ -7,6 +7,7 @@
 
 #include <csignal>
 
+#include "modeler/surface/surface_config.hpp"
 #include "test/io/small_plane.hpp"
 #include "test/io/temporary_directory.hpp"
 
@@ -16,9 +17,12 @@ namespace {
 using testing::HasSubstr;
 using testing::ThrowsMessage;
 
+const double kStripeGap_m = SurfaceConfig{}.stripe_gap_m;
+
 TEST(Save, WritesFourFiles) {
   const TemporaryDirectory directory;
-  const auto paths = save_model({small_plane()}, directory.path() / "models", "kitchen");
+  const auto paths =
+      save_model({small_plane()}, directory.path() / "models", "kitchen", kStripeGap_m);
   ASSERT_EQ(paths.size(), 4U);
   for (const auto& path : paths) EXPECT_GT(std::filesystem::file_size(path), 0U) << path;
   EXPECT_TRUE(std::filesystem::exists(directory.path() / "models" / "kitchen.json"));
@@ -26,14 +30,14 @@ TEST(Save, WritesFourFiles) {
 
 TEST(Save, AnEmptyModelCanBeSaved) {
   const TemporaryDirectory directory;
-  EXPECT_NO_THROW(save_model({}, directory.path(), "empty"));
+  EXPECT_NO_THROW(save_model({}, directory.path(), "empty", kStripeGap_m));
 }
 
 class BadName : public testing::TestWithParam<std::string> {};
 
 TEST_P(BadName, IsRefusedAndNothingIsWritten) {
   const TemporaryDirectory directory;
-  EXPECT_THAT([&] { save_model({}, directory.path() / "models", GetParam()); },
+  EXPECT_THAT([&] { save_model({}, directory.path() / "models", GetParam(), kStripeGap_m); },
               ThrowsMessage<std::invalid_argument>(HasSubstr("a name, not a path")));
   EXPECT_EQ(directory.file_count(), 0U);
 }
@@ -50,7 +54,7 @@ TEST(Save, GoodNamesAreTaken) {
 
 TEST(Save, AFullDiskLeavesTheEarlierSaveWhole) {
   const TemporaryDirectory directory;
-  save_model({small_plane()}, directory.path(), "kitchen");
+  save_model({small_plane()}, directory.path(), "kitchen", kStripeGap_m);
   const std::string json = content_of(directory.path() / "kitchen.json");
 
   std::signal(SIGXFSZ, SIG_IGN);
@@ -60,7 +64,8 @@ TEST(Save, AFullDiskLeavesTheEarlierSaveWhole) {
   setrlimit(RLIMIT_FSIZE, &full);
   Plane other = small_plane();
   other.id = 8;
-  EXPECT_THROW(save_model({other, small_plane()}, directory.path(), "kitchen"), std::runtime_error);
+  EXPECT_THROW(save_model({other, small_plane()}, directory.path(), "kitchen", kStripeGap_m),
+               std::runtime_error);
   setrlimit(RLIMIT_FSIZE, &before);
 
   EXPECT_EQ(content_of(directory.path() / "kitchen.json"), json);

@@ -14,20 +14,21 @@ namespace {
 using namespace mini_world;
 using Trajectory = std::vector<StampedPose>;
 
+/// A recording with drift and its model, for corrections that must be refused.
 class BadCorrection : public ::testing::Test {
  protected:
   const Lines lines = drive(room(), {around_the_middle, to_and_fro, wandering_drift}, 0.0, 8.0);
   const Trajectory truth = true_trajectory(lines);
   Modeler modeler = model_of(lines);
 
-  /// Refused with these words, and everything is as it was.
+  /// Expects that the trajectory is refused with these words and that nothing changes.
   void expect_refusal(const Trajectory& trajectory, const std::string& words) {
     const std::string planes = bytes_of(modeler.planes_as_built());
     const Pose last = modeler.trajectory().back().T_map_base;
     const std::size_t revision = modeler.statistics().revision;
     try {
       modeler.correct(trajectory);
-      ADD_FAILURE() << "taken over, though " << words;
+      ADD_FAILURE() << "accepted, although " << words;
     } catch (const std::invalid_argument& error) {
       EXPECT_NE(std::string::npos, std::string(error.what()).find(words)) << error.what();
     }
@@ -36,7 +37,7 @@ class BadCorrection : public ::testing::Test {
     EXPECT_EQ(revision, modeler.statistics().revision);
   }
 
-  void expect_each_refused() {
+  void expect_bad_order_refused() {
     expect_refusal({}, "empty");
     Trajectory bad = truth;
     std::swap(bad[100], bad[101]);
@@ -50,6 +51,15 @@ class BadCorrection : public ::testing::Test {
     bad = truth;
     for (StampedPose& pose : bad) pose.stamp = truth[0].stamp;
     expect_refusal(bad, "the stamp of its own time");
+    for (const double hours : {-1.0, 1.0}) {
+      bad = truth;
+      for (StampedPose& pose : bad) pose.stamp += from_seconds(hours * 3600.0);
+      expect_refusal(bad, "another run");
+    }
+  }
+
+  void expect_bad_poses_refused() {
+    Trajectory bad;
     for (const double value :
          {std::numeric_limits<double>::quiet_NaN(), std::numeric_limits<double>::infinity()}) {
       bad = truth;
@@ -59,29 +69,28 @@ class BadCorrection : public ::testing::Test {
     bad = truth;
     bad[8].T_map_base.linear().setZero();
     expect_refusal(bad, "pose 8");
-    for (const double hours : {-1.0, 1.0}) {
-      bad = truth;
-      for (StampedPose& pose : bad) pose.stamp += from_seconds(hours * 3600.0);
-      expect_refusal(bad, "another run");
-    }
   }
 };
 
-TEST_F(BadCorrection, LeavesTheModelAsItWas) { expect_each_refused(); }
-
-TEST_F(BadCorrection, LeavesACorrectedModelAsItWas) {
-  modeler.correct(truth);
-  expect_each_refused();
+TEST_F(BadCorrection, LeavesTheModelUnchanged) {
+  expect_bad_order_refused();
+  expect_bad_poses_refused();
 }
 
-TEST_F(BadCorrection, OfAModelThatIsEmpty) {
+TEST_F(BadCorrection, LeavesACorrectedModelUnchanged) {
+  modeler.correct(truth);
+  expect_bad_order_refused();
+  expect_bad_poses_refused();
+}
+
+TEST_F(BadCorrection, IsRefusedByAnEmptyModel) {
   Modeler empty{ModelerConfig{}};
   EXPECT_THROW(empty.correct(truth), std::invalid_argument);
   EXPECT_EQ(0u, empty.statistics().revision);
 }
 
-/// The rest keeps its odometry relative to the nearest corrected pose.
-TEST_F(BadCorrection, OfAPartOfTheRun) {
+/// Other poses keep their odometry relative to the nearest corrected pose.
+TEST_F(BadCorrection, MayCoverAPartOfTheRecording) {
   const Trajectory recorded = modeler.trajectory();
   const Trajectory part(truth.begin() + 100, truth.begin() + 200);
   modeler.correct(part);
@@ -101,7 +110,7 @@ TEST_F(BadCorrection, OfAPartOfTheRun) {
   }
 }
 
-TEST_F(BadCorrection, PosesOutsideOfTheRunAreLeftOut) {
+TEST_F(BadCorrection, MayContainPosesOutsideTheRecording) {
   Trajectory longer = truth;
   longer.insert(longer.begin(), {truth[0].stamp - from_seconds(100.0), planar_pose(99, 99, 1)});
   longer.push_back({truth.back().stamp + from_seconds(100.0), planar_pose(-99, 99, 1)});

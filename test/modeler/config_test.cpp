@@ -18,15 +18,15 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Calls `test(name, least, most)` for each number.
+/// A visitor of visit_keys() that calls test(key, min, max) for each number.
 template <typename Test>
 struct Numbers {
   Test test;
-  void operator()(const char* key, double, double least, double most) const {
-    test(key, least, most);
-  }
+  void operator()(const char* key, double, double min, double max) const { test(key, min, max); }
   void operator()(const char*, bool) const {}
 };
+
+/// Calls test(key, min, max) for each number of the configuration.
 template <typename Test>
 void for_each_number(Test test) {
   const ModelerConfig config;
@@ -34,6 +34,7 @@ void for_each_number(Test test) {
   visit_keys(config, numbers);
 }
 
+/// A visitor of visit_keys() that sets the number with this key.
 struct Setter {
   std::string key;
   double value;
@@ -47,7 +48,7 @@ struct Setter {
   void operator()(const char*, bool&) {}
 };
 
-/// What validate() says to this value; empty if it is content.
+/// Returns the message of validate() for this value, or an empty string if it is valid.
 std::string complaint(const std::string& key, double value) {
   ModelerConfig config;
   Setter setter{key, value};
@@ -67,20 +68,20 @@ bool is_integer(const std::string& key) {
   return setter.is_integer;
 }
 
-TEST(Config, DefaultsAreWithinTheirRanges) { EXPECT_NO_THROW(ModelerConfig{}.validate()); }
+TEST(Config, HasValidDefaults) { EXPECT_NO_THROW(ModelerConfig{}.validate()); }
 
-TEST(Config, EachNumberHasARangeThatIsChecked) {
+TEST(Config, ChecksTheRangeOfEachNumber) {
   int keys = 0;
-  for_each_number([&](const char* key, double least, double most) {
+  for_each_number([&](const char* key, double min, double max) {
     ++keys;
-    EXPECT_LT(least, most) << key;
-    EXPECT_GE(least, 0.0) << key;
-    const double step = is_integer(key) ? 1.0 : 1e-3 * least + 1e-6;
-    for (const double bad : {least - step, most + std::max(step, 1e-3 * most)}) {
+    EXPECT_LT(min, max) << key;
+    EXPECT_GE(min, 0.0) << key;
+    const double step = is_integer(key) ? 1.0 : 1e-3 * min + 1e-6;
+    for (const double bad : {min - step, max + std::max(step, 1e-3 * max)}) {
       const std::string words = complaint(key, bad);
       EXPECT_EQ(0u, words.find(std::string(key) + " is ")) << key << " = " << bad << ": " << words;
       std::ostringstream range;
-      range << least << " .. " << most;
+      range << min << " .. " << max;
       EXPECT_NE(std::string::npos, words.find(range.str())) << words;
     }
     if (!is_integer(key)) {
@@ -90,18 +91,19 @@ TEST(Config, EachNumberHasARangeThatIsChecked) {
     }
     const bool depends_on_another = std::string(key).find("_range_m") != std::string::npos;
     if (!depends_on_another) {
-      EXPECT_EQ("", complaint(key, least));
-      EXPECT_EQ("", complaint(key, most));
+      EXPECT_EQ("", complaint(key, min));
+      EXPECT_EQ("", complaint(key, max));
     }
   });
   EXPECT_GE(keys, 30);
 }
 
-TEST(Config, RangesMustNotBeEmpty) {
+TEST(Config, RefusesEmptyRanges) {
   EXPECT_NE(std::string::npos, complaint("scan.min_range_m", 31.0).find("scan.max_range_m"));
   EXPECT_NE(std::string::npos, complaint("scan.max_range_m", 0.2).find("scan.min_range_m"));
 }
 
+/// A folder for configuration files.
 class ConfigFile : public ::testing::Test {
  protected:
   ConfigFile() { fs::create_directories(folder); }
@@ -130,7 +132,7 @@ class ConfigFile : public ::testing::Test {
   const fs::path folder = fs::path(::testing::TempDir()) / "ribbon_mapper_config_test";
 };
 
-TEST_F(ConfigFile, SetsWhatItNamesAndLeavesTheRest) {
+TEST_F(ConfigFile, SetsItsKeysAndLeavesTheOthers) {
   const ModelerConfig config = load_config(write(
       "surface: {cell_size_m: 0.1}\nassociation: {slam: {angle_deg: 5}}\nribbon:\n  min_points: 8\n"
       "scan: {deskew: false}\n"));
@@ -142,12 +144,12 @@ TEST_F(ConfigFile, SetsWhatItNamesAndLeavesTheRest) {
   EXPECT_EQ(ModelerConfig{}.scan.range_sigma_m, config.scan.range_sigma_m);
 }
 
-TEST_F(ConfigFile, AnEmptyOneIsTheDefaults) {
+TEST_F(ConfigFile, MayBeEmpty) {
   EXPECT_EQ(0.05, load_config(write("")).surface.cell_size_m);
   EXPECT_EQ(0.05, load_config(write("# nothing\n")).surface.cell_size_m);
 }
 
-TEST_F(ConfigFile, UnknownKeysAreRefusedWithTheKnownOnes) {
+TEST_F(ConfigFile, WithUnknownKeysIsRefusedWithTheKnownOnes) {
   expect_complaint("surface: {cell_sise_m: 0.1}",
                    {"unknown key surface.cell_sise_m", "surface.cell_size_m"});
   expect_complaint("surfaces: {cell_size_m: 0.1}", {"unknown key surfaces.cell_size_m"});
@@ -157,14 +159,14 @@ TEST_F(ConfigFile, UnknownKeysAreRefusedWithTheKnownOnes) {
   expect_complaint("surface: 3", {"unknown key surface"});
 }
 
-TEST_F(ConfigFile, RenamedKeysAreRefusedWithTheirPresentName) {
+TEST_F(ConfigFile, WithRenamedKeysIsRefusedWithTheirNewNames) {
   expect_complaint("map: {cell_size_m: 0.1}",
                    {"map.cell_size_m was renamed", "write surface.cell_size_m"});
   expect_complaint("correction: {poses_follow: true}", {"write trajectory.poses_follow"});
   expect_complaint("ribbon: {least_points: 6}", {"write ribbon.min_points"});
 }
 
-TEST_F(ConfigFile, WrongValuesAreRefusedWithTheKey) {
+TEST_F(ConfigFile, WithWrongValuesIsRefusedWithTheKey) {
   expect_complaint("surface: {cell_size_m: wide}", {"surface.cell_size_m must be a number"});
   expect_complaint("surface: {cell_size_m: [1, 2]}", {"surface.cell_size_m must be a number"});
   expect_complaint("surface: {cell_size_m: }", {"surface.cell_size_m must be a number"});
@@ -174,7 +176,7 @@ TEST_F(ConfigFile, WrongValuesAreRefusedWithTheKey) {
   expect_complaint("surface: {cell_size_m: .nan}", {"surface.cell_size_m is nan"});
 }
 
-TEST_F(ConfigFile, WhatIsNoConfigurationIsRefused) {
+TEST_F(ConfigFile, WithoutSectionsAndKeysIsRefused) {
   expect_complaint("- 1\n- 2\n", {"sections with keys"});
   expect_complaint("just words", {"sections with keys"});
   expect_complaint("surface: {cell_size_m: 0.1", {});
@@ -183,7 +185,7 @@ TEST_F(ConfigFile, WhatIsNoConfigurationIsRefused) {
   EXPECT_NE("", complaint_about(folder));
 }
 
-/// Keys that a file names.
+/// Returns the keys in a configuration file, without their sections.
 std::set<std::string> keys_in(const std::string& path) {
   std::set<std::string> found;
   std::ifstream file(path);
@@ -196,6 +198,7 @@ std::set<std::string> keys_in(const std::string& path) {
   return found;
 }
 
+/// A visitor of visit_keys() that collects all values.
 struct Values {
   std::vector<double> values;
   template <typename Value, typename... Range>
@@ -209,7 +212,7 @@ std::vector<double> values_of(const ModelerConfig& config) {
   return values.values;
 }
 
-TEST(Presets, EachLoads) {
+TEST(Presets, CanBeLoaded) {
   int count = 0;
   for (const auto& entry : fs::directory_iterator(PROJECT_DIR "/config")) {
     if (entry.path().extension() != ".yaml") continue;
@@ -219,7 +222,7 @@ TEST(Presets, EachLoads) {
   EXPECT_GE(count, 3);
 }
 
-TEST(Presets, ThatOfThePr2NamesEachKeyWithItsDefault) {
+TEST(Presets, ForThePr2ListEachKeyWithItsDefault) {
   const std::string path = PROJECT_DIR "/config/pr2.yaml";
   EXPECT_EQ(values_of({}), values_of(load_config(path)));
   const std::set<std::string> keys = keys_in(path);

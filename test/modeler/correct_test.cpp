@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 ribbon_mapper authors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// The idea of the whole: the model is a function of ribbons and trajectory.
+// Holds the central property: the model is a function of ribbons and trajectory.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -14,11 +14,13 @@ namespace {
 
 using namespace mini_world;
 
+/// Returns lines of the room, recorded with drift.
 Lines drifting_tour() {
   return drive(room(), {around_the_middle, to_and_fro, wandering_drift}, 0.0, 15.0);
 }
 
-/// On the way as after a correction, so that only the trajectory makes a difference.
+/// Returns a configuration with the same gates before and after a correction, so that only the
+/// trajectory makes a difference.
 ModelerConfig equal_gates() {
   ModelerConfig config;
   config.association.slam = config.association.corrected;
@@ -35,8 +37,8 @@ std::vector<Plane> moved(std::vector<Plane> planes, const Pose& T) {
   return planes;
 }
 
-const Pose far_and_tilted = Eigen::Translation3d(40.0, -25.0, 3.0) *
-                            Eigen::AngleAxisd(2.5, Eigen::Vector3d(0.2, -0.3, 0.9).normalized());
+const Pose kFarAndTilted = Eigen::Translation3d(40.0, -25.0, 3.0) *
+                           Eigen::AngleAxisd(2.5, Eigen::Vector3d(0.2, -0.3, 0.9).normalized());
 
 TEST(Correct, EqualsACleanBuildWithTheCorrectedTrajectory) {
   const Lines lines = drifting_tour();
@@ -44,7 +46,7 @@ TEST(Correct, EqualsACleanBuildWithTheCorrectedTrajectory) {
   const std::vector<Plane> noisy = corrected.planes();
   corrected.correct(true_trajectory(lines));
   const Modeler clean = model_of(with_true_acquisition_poses(lines), equal_gates());
-  EXPECT_GT(noisy.size(), 6u);  // there was something to correct
+  EXPECT_GT(noisy.size(), 6u);  // there were errors to correct
   expect_one_for_each(room(), corrected.planes(), 0.3, 0.01);
   expect_same(anonymous(clean.planes_as_built()), anonymous(corrected.planes_as_built()), 1e-6);
   expect_same(anonymous(clean.planes()), anonymous(corrected.planes()), 1e-6);
@@ -67,7 +69,7 @@ TEST(Correct, MovesTheTrajectoryToTheCorrectedPoses) {
   }
 }
 
-TEST(Correct, TwiceTheSameChangesNothing) {
+TEST(Correct, IsIdempotent) {
   const Lines lines = drifting_tour();
   Modeler modeler = model_of(lines);
   modeler.correct(true_trajectory(lines));
@@ -81,41 +83,41 @@ TEST(Correct, TwiceTheSameChangesNothing) {
   EXPECT_EQ(3u, modeler.statistics().revision);
 }
 
-TEST(Correct, EachRevisionReplacesTheOneBefore) {
+TEST(Correct, ReplacesTheFormerCorrection) {
   const Lines lines = drifting_tour();
   Modeler modeler = model_of(lines);
   modeler.correct(true_trajectory(lines));
   const std::vector<Plane> first = modeler.planes();
-  modeler.correct(moved(true_trajectory(lines, 100), far_and_tilted));
+  modeler.correct(moved(true_trajectory(lines, 100), kFarAndTilted));
   modeler.correct(true_trajectory(lines));
   expect_same(anonymous(first), anonymous(modeler.planes()), 1e-12);
 }
 
-TEST(Correct, AShiftMovesEveryPlaneByThatAndKeepsIds) {
+TEST(Correct, MovesAllPlanesWithTheTrajectory) {
   const Lines lines = drifting_tour();
   Modeler modeler = model_of(lines);
   modeler.correct(true_trajectory(lines));
   const std::vector<Plane> planes = modeler.planes_as_built(), merged = modeler.planes();
   ASSERT_EQ(6u, merged.size());
-  modeler.correct(moved(true_trajectory(lines), far_and_tilted));
-  const double relative = 1e-9 * far_and_tilted.translation().norm();
-  expect_same(moved(planes, far_and_tilted), modeler.planes_as_built(), relative);
-  expect_same(moved(merged, far_and_tilted), modeler.planes(), relative);
+  modeler.correct(moved(true_trajectory(lines), kFarAndTilted));
+  const double relative = 1e-9 * kFarAndTilted.translation().norm();
+  expect_same(moved(planes, kFarAndTilted), modeler.planes_as_built(), relative);
+  expect_same(moved(merged, kFarAndTilted), modeler.planes(), relative);
 }
 
-TEST(Correct, OnePoseIsEnoughForAShift) {
+TEST(Correct, NeedsOnlyOnePoseForARigidMotion) {
   const Lines lines = drifting_tour();
   Modeler one = model_of(lines), all = model_of(lines);
-  std::vector<StampedPose> shifted = moved(one.trajectory(), far_and_tilted);
+  std::vector<StampedPose> shifted = moved(one.trajectory(), kFarAndTilted);
   all.correct(shifted);
   one.correct({shifted[300]});
   expect_same(all.planes(), one.planes(), 1e-9);
 }
 
-TEST(Correct, SparseKeyframesGiveTheModelOfDenseOnes) {
+TEST(Correct, GivesTheSameModelForSparseKeyframes) {
   const Lines lines = drifting_tour();
   Modeler sparse = model_of(lines), dense = model_of(lines);
-  sparse.correct(true_trajectory(lines, 40));  // one a second
+  sparse.correct(true_trajectory(lines, 40));  // one per second
   dense.correct(true_trajectory(lines));
   expect_one_for_each(room(), sparse.planes(), 0.3, 0.01);
   const auto a = anonymous(sparse.planes()), b = anonymous(dense.planes());
@@ -126,7 +128,7 @@ TEST(Correct, SparseKeyframesGiveTheModelOfDenseOnes) {
   }
 }
 
-TEST(Correct, PlanesKeepTheirIds) {
+TEST(Correct, KeepsIds) {
   const Lines lines = drifting_tour();
   Modeler modeler = model_of(lines);
   const std::vector<Plane> before = modeler.planes();
@@ -141,8 +143,8 @@ TEST(Correct, PlanesKeepTheirIds) {
   }
 }
 
-/// Two walls seen one after the other, the second one by a robot whose SLAM is wrong by `error_m`
-/// along x.
+/// Returns lines of two walls seen one after the other. The localisation is off by `error_m` along
+/// x while the second one is seen.
 Lines walls_seen_apart(double first_x_m, double second_x_m, double error_m) {
   const auto world = [](double x_m, double sign) {
     const double y_m = 1.2 * sign;
@@ -157,7 +159,7 @@ Lines walls_seen_apart(double first_x_m, double second_x_m, double error_m) {
   return lines;
 }
 
-TEST(Correct, PartsWhatWasWronglyMerged) {
+TEST(Correct, SplitsPlanesThatWereWronglyMerged) {
   const Lines lines = walls_seen_apart(3.0, 3.2, -0.2);
   for (const ModelerConfig& config : {equal_gates(), ModelerConfig{}}) {
     Modeler modeler = model_of(lines, config);
@@ -174,7 +176,7 @@ TEST(Correct, PartsWhatWasWronglyMerged) {
   }
 }
 
-TEST(Correct, UnitesWhatWasDoubled) {
+TEST(Correct, UnitesDuplicates) {
   const Lines lines = walls_seen_apart(3.0, 3.0, 0.3);
   Modeler modeler = model_of(lines);
   EXPECT_EQ(2u, modeler.planes().size());
@@ -182,14 +184,14 @@ TEST(Correct, UnitesWhatWasDoubled) {
   expect_one_for_each({plane(-Eigen::Vector3d::UnitX(), 3.0)}, modeler.planes(), 0.5, 0.01);
 }
 
-TEST(Correct, LinesThatFollowGoOnFromTheLastChange) {
+TEST(Correct, AppliesTheLastChangeToLaterLines) {
   const Lines lines = drifting_tour();
   const Lines first(lines.begin(), lines.begin() + 300);
   ModelerConfig config;
   config.trajectory.poses_follow = false;  // tf goes on drifting
   Modeler modeler = model_of(first, config), at_once = model_of(lines, config);
   std::vector<StampedPose> truth = true_trajectory(first);
-  truth.pop_back();  // the last line is not in the model before the next one comes
+  truth.pop_back();  // the last line enters the model with the next one
   modeler.correct(truth);
   at_once.correct(truth);
   for (std::size_t i = 300; i < lines.size(); ++i) {
@@ -203,7 +205,7 @@ TEST(Correct, LinesThatFollowGoOnFromTheLastChange) {
   expect_same(anonymous(at_once.planes()), anonymous(modeler.planes()), 1e-6);
 }
 
-TEST(Correct, LinesThatFollowAreWhereTfSaysIfTfFollows) {
+TEST(Correct, TrustsThePosesOfLaterLinesIfTfFollows) {
   const Lines lines = drifting_tour();
   const Lines first(lines.begin(), lines.begin() + 300);
   const Lines corrected = with_true_acquisition_poses(lines);

@@ -9,10 +9,30 @@
 namespace ribbon_mapper::mini_world {
 namespace {
 
-constexpr double line_period_s = 0.025, scan_time_s = 0.0185;
+constexpr double kLinePeriod_s = 0.025, kScanTime_s = 0.0185;
 
 Pose T_map_laser(const Motion& motion, double time_s) {
   return motion.T_map_base(time_s) * T_base_laser(motion.tilt_rad(time_s));
+}
+
+/// Returns the beams of a line that begins at `first_s`.
+LaserBeams measured_beams(const World& world, const Motion& motion, double first_s,
+                          std::size_t count, const std::function<double()>& noise_m) {
+  LaserBeams beams;
+  beams.stamp = from_seconds(1000.0 + first_s);
+  beams.angle_min_rad = -M_PI_2;
+  beams.angle_increment_rad = M_PI / (count - 1.0);
+  beams.time_increment_s = kScanTime_s / (count - 1.0);
+  beams.range_min_m = 0.1;
+  beams.range_max_m = 30.0;
+  for (std::size_t i = 0; i < count; ++i) {
+    const Pose pose = T_map_laser(motion, first_s + i * beams.time_increment_s);
+    const double angle = beams.angle_min_rad + i * beams.angle_increment_rad;
+    const Eigen::Vector3d beam(std::cos(angle), std::sin(angle), 0.0);
+    const double range = range_m(world, pose.translation(), pose.linear() * beam);
+    beams.ranges_m.push_back(static_cast<float>(range + noise_m()));
+  }
+  return beams;
 }
 
 }  // namespace
@@ -21,9 +41,9 @@ Face plane(const Eigen::Vector3d& normal, double d_m) {
   return plane(normal, d_m, Eigen::Vector3d::Constant(-1e3), Eigen::Vector3d::Constant(1e3));
 }
 
-Face plane(const Eigen::Vector3d& normal, double d_m, const Eigen::Vector3d& least,
-           const Eigen::Vector3d& most) {
-  return {normal.normalized(), d_m, Eigen::AlignedBox3d(least, most)};
+Face plane(const Eigen::Vector3d& normal, double d_m, const Eigen::Vector3d& min_corner,
+           const Eigen::Vector3d& max_corner) {
+  return {normal.normalized(), d_m, Eigen::AlignedBox3d(min_corner, max_corner)};
 }
 
 World room() {
@@ -75,23 +95,12 @@ Lines drive(const World& world, const Motion& motion, double from_s, double to_s
   std::mt19937 random(laser.seed);
   std::normal_distribution<double> noise_m(0.0, laser.range_sigma_m);
   Lines lines;
-  for (int k = 0; from_s + k * line_period_s < to_s; ++k) {
-    const double first_s = from_s + k * line_period_s, last_s = first_s + scan_time_s;
+  for (int k = 0; from_s + k * kLinePeriod_s < to_s; ++k) {
+    const double first_s = from_s + k * kLinePeriod_s, last_s = first_s + kScanTime_s;
     const double middle_s = 0.5 * (first_s + last_s);
     Line line;
-    line.beams.stamp = from_seconds(1000.0 + first_s);
-    line.beams.angle_min_rad = -M_PI_2;
-    line.beams.angle_increment_rad = M_PI / (laser.beams - 1.0);
-    line.beams.time_increment_s = scan_time_s / (laser.beams - 1.0);
-    line.beams.range_min_m = 0.1;
-    line.beams.range_max_m = 30.0;
-    for (std::size_t i = 0; i < laser.beams; ++i) {
-      const Pose pose = T_map_laser(motion, first_s + i * line.beams.time_increment_s);
-      const double angle = line.beams.angle_min_rad + i * line.beams.angle_increment_rad;
-      const Eigen::Vector3d beam(std::cos(angle), std::sin(angle), 0.0);
-      const double range = range_m(world, pose.translation(), pose.linear() * beam);
-      line.beams.ranges_m.push_back(static_cast<float>(range + noise_m(random)));
-    }
+    line.beams =
+        measured_beams(world, motion, first_s, laser.beams, [&] { return noise_m(random); });
     line.T_map_base_true = motion.T_map_base(middle_s);
     line.poses = {motion.drift(first_s) * motion.T_map_base(first_s),
                   motion.drift(last_s) * motion.T_map_base(last_s),

@@ -14,9 +14,10 @@ namespace {
 
 using namespace mini_world;
 
-constexpr float inf = std::numeric_limits<float>::infinity();
-constexpr float nan_ = std::numeric_limits<float>::quiet_NaN();
+constexpr float kInf = std::numeric_limits<float>::infinity();
+constexpr float kNan = std::numeric_limits<float>::quiet_NaN();
 
+/// Returns lines of the room, recorded without drift.
 Lines tour_without_drift() {
   return drive(room(), {around_the_middle, to_and_fro, no_drift}, 0.0, 15.0);
 }
@@ -32,7 +33,7 @@ TEST(Modeler, MakesOnePlaneOfEachFace) {
   EXPECT_GT(modeler.memory_bytes(), 1000u * sizeof(double));
 }
 
-TEST(Modeler, PlanesSayWhatTheyAre) {
+TEST(Modeler, ReturnsConsistentPlanes) {
   for (const Plane& plane : model_of(tour_without_drift()).planes()) {
     EXPECT_NEAR(1.0, plane.normal.norm(), 1e-12);
     EXPECT_LT((plane.axis_u.cross(plane.axis_v) - plane.normal).norm(), 1e-9);
@@ -40,16 +41,16 @@ TEST(Modeler, PlanesSayWhatTheyAre) {
     EXPECT_NEAR(0.0, plane.normal.dot(plane.origin) + plane.d_m, 1e-9);
     EXPECT_NEAR(plane.cells.size() * 0.05 * 0.05, plane.area_m2, 1e-9);
     EXPECT_GE(plane.outline.size(), 4u);
-    const double wall_m2 = 6.0 * 5.0;  // the largest face
+    const double wall_m2 = 6.0 * 5.0;  // area of the largest face
     EXPECT_GT(plane.area_m2, 0.3 * wall_m2);
     EXPECT_LT(plane.area_m2, wall_m2);
     for (int i = 0; i < 3; ++i) EXPECT_GT(plane.covariance(i, i), 0.0);
   }
 }
 
-/// A board of 1.2 m with strips of 9 cm beside it, too narrow for ribbons, before a robot that
-/// drives up to it.
-TEST(Modeler, PointsOfNoRibbonAreWhereTheRobotSawThem) {
+/// Models a board of 1.2 m with strips of 9 cm next to it, which are too narrow for ribbons. The
+/// robot drives up to it.
+TEST(Modeler, IncludesUnassignedPointsSeenWhileDriving) {
   const auto board = [](double min_y, double max_y) {
     return plane(-Eigen::Vector3d::UnitX(), 3.0, {0, min_y, 0}, {9, max_y, 2.5});
   };
@@ -64,14 +65,14 @@ TEST(Modeler, PointsOfNoRibbonAreWhereTheRobotSawThem) {
   EXPECT_GT(on_strips, 0.7 * 2 * (0.09 / 0.05) * (2.5 / 0.05));
 }
 
-/// The robot goes round and round in one room, with a limit that it reaches within the first round.
-TEST(Modeler, StaysWithinItsMemoryAllDay) {
+/// Drives round after round in one room. The limit of ribbons is reached in the first round.
+TEST(Modeler, StaysWithinItsMemory) {
   ModelerConfig config;
   config.observations.max_ribbons = 600;
   Modeler modeler(config);
   std::size_t max_bytes_in_first_half = 0;
-  constexpr int rounds = 12;
-  for (int round = 0; round < rounds; ++round) {
+  constexpr int kRounds = 12;
+  for (int round = 0; round < kRounds; ++round) {
     for (Line line : tour_without_drift()) {
       line.beams.stamp += from_seconds(20.0 * round);
       const LineResult result = modeler.add_scan_line(line.beams, line.poses);
@@ -79,7 +80,7 @@ TEST(Modeler, StaysWithinItsMemoryAllDay) {
       ASSERT_LE(modeler.statistics().ribbons, 600u);
     }
     const std::size_t bytes = modeler.memory_bytes();
-    if (round < rounds / 2) max_bytes_in_first_half = std::max(max_bytes_in_first_half, bytes);
+    if (round < kRounds / 2) max_bytes_in_first_half = std::max(max_bytes_in_first_half, bytes);
     EXPECT_LT(bytes, max_bytes_in_first_half * 5 / 4) << "round " << round;
     expect_one_for_each(room(), modeler.planes(), 0.3, 0.01);
   }
@@ -89,8 +90,8 @@ TEST(Modeler, StaysWithinItsMemoryAllDay) {
   for (const Ribbon& ribbon : modeler.ribbons()) ASSERT_LT(ribbon.pose, trajectory.size());
 }
 
-/// The corrected model of thinned ribbons is as good.
-TEST(Modeler, IsCorrectedAlsoAfterThinning) {
+/// Expects a corrected model of thinned ribbons to be as good as one of all ribbons.
+TEST(Modeler, CanBeCorrectedAfterThinning) {
   ModelerConfig config;
   config.observations.max_ribbons = 600;
   Modeler modeler(config);
@@ -102,7 +103,7 @@ TEST(Modeler, IsCorrectedAlsoAfterThinning) {
   expect_one_for_each(room(), modeler.planes(), 0.3, 0.01);
 }
 
-TEST(Modeler, AnEmptyOneHasNothing) {
+TEST(Modeler, IsEmptyAtFirst) {
   Modeler modeler{ModelerConfig{}};
   EXPECT_TRUE(modeler.planes_as_built().empty());
   EXPECT_TRUE(modeler.planes().empty());
@@ -117,7 +118,7 @@ TEST(Modeler, RefusesABadConfiguration) {
   EXPECT_THROW(Modeler{config}, std::invalid_argument);
 }
 
-TEST(Modeler, SaysWhatBecameOfEachLine) {
+TEST(Modeler, ReportsTheResultOfEachLine) {
   Modeler modeler{ModelerConfig{}};
   const Lines lines = tour_without_drift();
   const auto result_of = [&](Line line, const std::function<void(Line&)>& spoil) {
@@ -129,24 +130,24 @@ TEST(Modeler, SaysWhatBecameOfEachLine) {
   EXPECT_EQ(LineResult::out_of_order, result_of(lines[9], [](Line&) {}));
   EXPECT_EQ(LineResult::too_close,
             result_of(lines[10], [](Line& line) { line.beams.stamp += from_seconds(0.001); }));
-  for (const float nothing : {nan_, inf, -inf, -1.0F, 0.0F, 1e9F}) {
+  for (const float invalid : {kNan, kInf, -kInf, -1.0F, 0.0F, 1e9F}) {
     EXPECT_EQ(LineResult::no_returns,
-              result_of(lines[11], [=](Line& line) { line.beams.ranges_m.assign(361, nothing); }));
+              result_of(lines[11], [=](Line& line) { line.beams.ranges_m.assign(361, invalid); }));
   }
   EXPECT_EQ(LineResult::no_returns,
             result_of(lines[11], [](Line& line) { line.beams.ranges_m.clear(); }));
   EXPECT_EQ(LineResult::malformed,
             result_of(lines[11], [](Line& line) { line.beams.ranges_m.resize(1000, 2.0F); }));
   EXPECT_EQ(LineResult::malformed,
-            result_of(lines[11], [](Line& line) { line.beams.angle_increment_rad = nan_; }));
+            result_of(lines[11], [](Line& line) { line.beams.angle_increment_rad = kNan; }));
   EXPECT_EQ(LineResult::malformed, result_of(lines[11], [](Line& line) {
-              line.poses.T_map_base.translation().x() = nan_;
+              line.poses.T_map_base.translation().x() = kNan;
             }));
   EXPECT_EQ(LineResult::modelled, result_of(lines[11], [](Line&) {}));
   EXPECT_EQ(15u, modeler.statistics().lines);
 }
 
-TEST(Modeler, EachResultHasAName) {
+TEST(Modeler, HasANameForEachResult) {
   EXPECT_STREQ("modelled", to_string(LineResult::modelled));
   EXPECT_STREQ("too close", to_string(LineResult::too_close));
   EXPECT_STREQ("no returns", to_string(LineResult::no_returns));
@@ -154,32 +155,32 @@ TEST(Modeler, EachResultHasAName) {
   EXPECT_STREQ("out of order", to_string(LineResult::out_of_order));
 }
 
-TEST(Modeler, BadLinesInBetweenLeaveNoTrace) {
+TEST(Modeler, IsUnaffectedByBadLines) {
   const Lines lines = tour_without_drift();
   Modeler modeler{ModelerConfig{}};
   for (std::size_t i = 0; i < lines.size(); ++i) {
     modeler.add_scan_line(lines[i].beams, lines[i].poses);
     Line bad = lines[i];
     bad.beams.stamp += from_seconds(0.001);
-    if (i % 5 == 0) bad.beams.ranges_m.assign(361, nan_);
+    if (i % 5 == 0) bad.beams.ranges_m.assign(361, kNan);
     if (i % 5 == 1) bad.beams.ranges_m.clear();
     if (i % 5 == 2) bad.beams.ranges_m.resize(1000, 1.0F);
     if (i % 5 == 3) bad.beams.stamp -= from_seconds(3.0);
-    if (i % 5 == 4) bad.poses.T_odom_base_last.linear()(0, 1) = inf;
+    if (i % 5 == 4) bad.poses.T_odom_base_last.linear()(0, 1) = kInf;
     EXPECT_NE(LineResult::modelled, modeler.add_scan_line(bad.beams, bad.poses));
   }
   EXPECT_EQ(bytes_of(model_of(lines).planes()), bytes_of(modeler.planes()));
 }
 
-TEST(Modeler, RangesThatMeanNothingCostNoPlane) {
+TEST(Modeler, LosesNoPlaneToInvalidRanges) {
   Lines lines = tour_without_drift();
   for (Line& line : lines) {
-    for (std::size_t i = 0; i < 361; i += 40) line.beams.ranges_m[i] = i % 80 ? nan_ : inf;
+    for (std::size_t i = 0; i < 361; i += 40) line.beams.ranges_m[i] = i % 80 ? kNan : kInf;
   }
   expect_one_for_each(room(), model_of(lines).planes(), 0.3, 0.01);
 }
 
-TEST(Modeler, GoesOnWithLinesOfAnotherLength) {
+TEST(Modeler, AcceptsLinesOfAnotherLength) {
   Modeler modeler{ModelerConfig{}};
   const Motion motion{around_the_middle, to_and_fro, no_drift};
   for (const Line& line : drive(room(), motion, 0.0, 7.0)) {
@@ -191,18 +192,18 @@ TEST(Modeler, GoesOnWithLinesOfAnotherLength) {
   expect_one_for_each(room(), modeler.planes(), 0.3, 0.01);
 }
 
-TEST(Modeler, SameInputSameBytes) {
+TEST(Modeler, IsDeterministic) {
   const Lines lines = drive(room(), {around_the_middle, to_and_fro, wandering_drift}, 0.0, 15.0);
   Modeler one = model_of(lines), other = model_of(lines);
   EXPECT_EQ(bytes_of(one.planes_as_built()), bytes_of(other.planes_as_built()));
-  one.planes();  // asking changes nothing
+  one.planes();  // a query changes nothing
   one.correct(true_trajectory(lines));
   other.correct(true_trajectory(lines));
   EXPECT_EQ(bytes_of(one.planes_as_built()), bytes_of(other.planes_as_built()));
   EXPECT_EQ(bytes_of(one.planes()), bytes_of(other.planes()));
 }
 
-TEST(Modeler, ResetForgetsEverything) {
+TEST(Modeler, IsEmptyAfterReset) {
   const Lines lines = tour_without_drift();
   Modeler modeler = model_of(lines);
   const std::string before = bytes_of(modeler.planes());

@@ -54,7 +54,7 @@ void expect_same(const std::vector<Plane>& expected, const std::vector<Plane>& a
     EXPECT_EQ(e.cell_size_m, a.cell_size_m);
     EXPECT_LT((e.normal - a.normal).norm(), tolerance);
     EXPECT_NEAR(e.d_m, a.d_m, tolerance);
-    // A point in a thousand may lie on a cell's border.
+    // A point in a thousand may lie on the border of a cell.
     const double border_m2 = 1e-3 * e.area_m2 + e.cell_size_m * e.cell_size_m;
     EXPECT_NEAR(e.area_m2, a.area_m2, border_m2);
     EXPECT_LT((e.centroid - a.centroid).norm(), tolerance + 1e-3);

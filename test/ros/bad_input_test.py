@@ -1,7 +1,7 @@
 #!/usr/bin/python3
 # SPDX-FileCopyrightText: 2026 ribbon_mapper authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""Whatever comes in, the modeler lives, keeps its model and says what is wrong."""
+"""Whatever comes in, the modeler goes on, keeps its model and says what is wrong."""
 import math
 import os
 import sys
@@ -9,59 +9,67 @@ import unittest
 
 import rospy
 import rostest
-from diagnostic_msgs.msg import DiagnosticArray
 from geometry_msgs.msg import PoseStamped
 from nav_msgs.msg import Path
 from ribbon_mapper.srv import GetModel, GetModelRequest, Save
 from rosgraph_msgs.msg import Log
 from std_srvs.srv import Trigger
 
+from diagnostics import Diagnostics
 from robot_before_a_wall import Robot
-from waiting import Latest, eventually
+from waiting import Latest, eventually, service
 
 
 class BadInput(unittest.TestCase):
     @classmethod
     def setUpClass(cls):
-        for service in ('get_model', 'save', 'reset'):
-            rospy.wait_for_service('modeler/' + service, 20.0)
-        cls.get_model = rospy.ServiceProxy('modeler/get_model', GetModel)
-        cls.save = rospy.ServiceProxy('modeler/save', Save)
-        cls.reset = rospy.ServiceProxy('modeler/reset', Trigger)
+        cls.get_model = service('modeler/get_model', GetModel)
+        cls.save = service('modeler/save', Save)
+        cls.reset_model = service('modeler/reset', Trigger)
         cls.robot = Robot()
         cls.corrected = rospy.Publisher('corrected_trajectory', Path, queue_size=10)
         cls.log = Latest('/rosout', Log)
         cls.trajectory = Latest('modeler/trajectory', Path)
-        cls.diagnostics = Latest('/diagnostics', DiagnosticArray)
+        cls.diagnostics = Diagnostics()
         assert eventually(cls.robot.connected)
         assert eventually(lambda: cls.corrected.get_num_connections() > 0)
+        assert eventually(lambda: cls.log.publishers() > 0 and cls.trajectory.publishers() > 0)
 
     def setUp(self):
-        """A model of one wall."""
-        self.assertTrue(self.reset().success)
+        """Builds a model of one wall."""
+        self.reset()
         self.robot.take(100)
+        self.wait_for_lines()
         self.assertTrue(eventually(lambda: self.model().ribbons > 50), self.model())
         self.assertEqual(len(self.model().planes.planes), 1)
         self.assertEqual(self.model().dropped_lines, 0)
 
     def tearDown(self):
-        """Good lines are taken as before."""
+        """Checks that good lines are taken as before."""
         ribbons, dropped = self.model().ribbons, self.model().dropped_lines
         self.robot.take(20)
+        self.wait_for_lines()
         self.assertTrue(eventually(lambda: self.model().ribbons > ribbons), self.model())
         self.assertEqual(self.model().dropped_lines, dropped)
         self.assertEqual(len(self.model().planes.planes), 1)
 
+    def reset(self):
+        self.assertTrue(self.reset_model().success)
+        self.robot.sent = 0
+
+    def wait_for_lines(self):
+        """Waits until no scan is on its way any more."""
+        arrived = eventually(lambda: self.model().lines == self.robot.sent)
+        self.assertTrue(arrived, (self.robot.sent, self.model()))
+
     def model(self, which=GetModelRequest.CURRENT):
-        return self.get_model(which=which, merged=True, cells=False)
+        return self.get_model(which=which, as_built=False, cells=False)
 
     def dropped_for(self, reason):
-        values = [(v.key, v.value) for m in self.diagnostics.messages[-1:] for s in m.status
-                  for v in s.values]
-        return sum(int(value) for key, value in values if key == 'dropped: ' + reason)
+        return int(self.diagnostics.value('dropped: ' + reason) or 0)
 
     def logged(self, text):
-        return any(text in entry.msg for entry in self.log.messages)
+        return eventually(lambda: any(text in entry.msg for entry in self.log.messages))
 
     def test_scans_without_a_usable_range_change_nothing(self):
         wall = self.model().planes.planes[0]
@@ -69,7 +77,7 @@ class BadInput(unittest.TestCase):
             scan = self.robot.scan(self.robot.line)
             scan.ranges = [value] * len(scan.ranges)
             self.robot.send(scan)
-        self.assertTrue(eventually(lambda: self.model().lines == 106))
+        self.wait_for_lines()
         after = self.model().planes.planes[0]
         self.assertEqual((after.normal, after.d, after.area), (wall.normal, wall.d, wall.area))
 
@@ -93,11 +101,11 @@ class BadInput(unittest.TestCase):
         bad[-1].header.stamp = rospy.Time(0xffffffff)
         for scan in bad:
             self.robot.send(scan)
-        self.assertTrue(eventually(lambda: self.model().lines == 100 + len(bad)))
+        self.wait_for_lines()
         dropped = eventually(lambda: self.model().dropped_lines == len(bad))
         self.assertTrue(dropped, self.model().dropped_lines)
         self.assertTrue(eventually(lambda: self.dropped_for('malformed') >= 8),
-                        self.diagnostics.messages[-1])
+                        self.diagnostics.reports()[-1:])
 
     def test_stamps_that_go_back_are_dropped(self):
         for line in (self.robot.line - 1, self.robot.line - 50):
@@ -127,7 +135,7 @@ class BadInput(unittest.TestCase):
         wall = self.model().planes.planes[0]
         self.log.messages.clear()
         self.corrected.publish(path)
-        self.assertTrue(eventually(lambda: self.logged('refused')), reason)
+        self.assertTrue(self.logged('refused'), reason)
         self.assertTrue(self.logged(reason), [entry.msg for entry in self.log.messages])
         self.assertEqual(self.model().planes.revision, 0)
         self.assertEqual(self.model().planes.planes[0], wall)

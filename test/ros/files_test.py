@@ -1,7 +1,7 @@
 #!/usr/bin/python3
 # SPDX-FileCopyrightText: 2026 ribbon_mapper authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""Every launch file, URDF and rviz file that is shipped can be read, and names what exists."""
+"""Every launch file, URDF and rviz file can be read, and every file that it names exists."""
 import glob
 import os
 import re

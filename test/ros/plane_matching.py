@@ -1,7 +1,9 @@
 # SPDX-FileCopyrightText: 2026 ribbon_mapper authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""Planes of the model against planes of the world, from messages alone: simple and slow, with
-nothing of eval/ in it."""
+"""Compares planes of the model with planes of the world, given as messages.
+
+Simple and slow, and independent of eval/, so that an error there cannot hide here.
+"""
 import math
 
 MAX_ANGLE_DEG = 5.0
@@ -35,7 +37,7 @@ def offset(estimate, truth):
 
 
 def buckets(plane):
-    """Places of the cells, as indices of cubes of the reach, with their neighbours."""
+    """Returns the cubes of edge REACH that contain cells, as indices."""
     return {tuple(int(math.floor(v / REACH)) for v in (c.x, c.y, c.z)) for c in plane.cells}
 
 
@@ -46,7 +48,7 @@ def shared(cells, others):
 
 
 def overlap(estimate, truth):
-    """Shared cells of the truth; none if neither has half of its cells in the other."""
+    """Returns the shared cells of the truth; 0 if neither plane shares half of its cells."""
     e, t = buckets(estimate), buckets(truth)
     of_truth = shared(t, e)
     if of_truth >= MIN_OVERLAP * len(t) or shared(e, t) >= MIN_OVERLAP * len(e):
@@ -55,7 +57,7 @@ def overlap(estimate, truth):
 
 
 def compare(estimates, truths):
-    """Both with cells. Pairs are taken one to one, the largest overlap first."""
+    """Counts matches between planes with cells. Pairs are one to one, the largest overlap first."""
     pairs = []
     for e, estimate in enumerate(estimates):
         for t, truth in enumerate(truths):

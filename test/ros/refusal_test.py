@@ -1,16 +1,18 @@
 #!/usr/bin/python3
 # SPDX-FileCopyrightText: 2026 ribbon_mapper authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""Nodes refuse to start with what they do not understand: exit code 1, key and allowed range."""
+"""Nodes refuse parameters that they do not understand: exit code 1, key and allowed range."""
 import os
 import subprocess
 import sys
 import tempfile
 import unittest
 
-import roslib.packages
 import rospkg
 import rostest
+
+from program import path_of
+from waiting import PATIENCE
 
 PACKAGE = rospkg.RosPack().get_path('ribbon_mapper')
 PR2 = '_config:=' + PACKAGE + '/config/pr2.yaml'
@@ -20,12 +22,12 @@ ROOM = ['_world:=' + PACKAGE + '/test/ros/room.sdf',
 
 class Refusal(unittest.TestCase):
     def refuse(self, node, arguments, *words):
-        """Each start has a name of its own: parameters outlive their node."""
+        """Starts a node under a new name, because parameters outlive their node."""
         Refusal.starts = getattr(Refusal, 'starts', 0) + 1
-        program = roslib.packages.find_node('ribbon_mapper', node)[0]
+        program = path_of(node)
         name = '__name:=%s_%d' % (node, Refusal.starts)
         done = subprocess.run([program, name] + arguments, stderr=subprocess.STDOUT,
-                              stdout=subprocess.PIPE, text=True, timeout=20)
+                              stdout=subprocess.PIPE, text=True, timeout=PATIENCE)
         self.assertEqual(done.returncode, 1, done.stdout)
         self.assertIn('FATAL', done.stdout)
         for word in words:
@@ -64,6 +66,7 @@ class Refusal(unittest.TestCase):
         self.refuse('pr2_simulator', ROOM + ['_rate:=0'], '/rate', '0.01 to 100')
         self.refuse('pr2_simulator', ROOM + ['_seed:=1.5'], '/seed', 'whole number')
         self.refuse('pr2_simulator', ROOM + ['_noise:=loud'], 'loud', 'datasheet')
+        self.refuse('pr2_simulator', ROOM + ['_caster:=ode'], 'ode', 'embree')
         self.refuse('pr2_simulator', ROOM + ['_tilt_profile:=wild'], 'wild', 'manip')
 
     def test_bad_worlds_and_routes(self):

@@ -2,65 +2,127 @@
 # SPDX-FileCopyrightText: 2026 ribbon_mapper authors
 # SPDX-License-Identifier: BSD-3-Clause
 """Simulated time stands still, or goes back because a bag starts again."""
+import os
 import sys
-import time
 import unittest
 
+import rospkg
 import rospy
 import rostest
 from ribbon_mapper.srv import GetModel
-from rosgraph_msgs.msg import Clock, Log
 
+from diagnostics import Diagnostics
+from program import Program
 from robot_before_a_wall import Robot
-from waiting import Latest, eventually
+from simulated_clock import SimulatedClock
+from waiting import eventually, service
+
+CONFIG = os.path.join(rospkg.RosPack().get_path('ribbon_mapper'), 'config/pr2.yaml')
+LINES = 100
+
+
+class Modeler:
+    """A modeler node with its service."""
+
+    def __init__(self, name):
+        self.program = Program('modeler', name, 'scan:=tilt_scan', '_config:=' + CONFIG)
+        self.get_model = service(name + '/get_model', GetModel)
+
+    def model(self):
+        return self.get_model(which=0, as_built=False, cells=False)
+
+    def planes(self):
+        return self.model().planes.planes
 
 
 class Restart(unittest.TestCase):
     def setUp(self):
-        rospy.wait_for_service('modeler/get_model', 20.0)
-        self.get_model = rospy.ServiceProxy('modeler/get_model', GetModel)
-        self.clock = rospy.Publisher('/clock', Clock, queue_size=10)
-        self.log = Latest('/rosout', Log)
+        self.clock = SimulatedClock()
         self.robot = Robot()
-        self.assertTrue(eventually(self.robot.connected))
-        self.assertTrue(eventually(lambda: self.clock.get_num_connections() > 1))
+        self.modelers = []
+        self.old = self.start('modeler')
+        self.play(self.take_lines)
+        self.assertTrue(eventually(lambda: self.old.model().ribbons > 50), self.old.model())
+        Diagnostics().wait_until_handled(LINES)
+        self.first = self.old.model()
 
-    def model(self):
-        return self.get_model(which=0, merged=True, cells=False)
+    def tearDown(self):
+        for modeler in self.modelers:
+            self.assertNotIn('TF_', modeler.program.stop())
 
-    def tick(self):
-        """It is the time of the next line."""
-        self.clock.publish(Clock(self.robot.stamp(self.robot.line)))
-        time.sleep(0.2)
+    def start(self, name):
+        self.modelers.append(Modeler(name))
+        self.assertTrue(eventually(lambda: self.robot.connected(nodes=len(self.modelers))))
+        return self.modelers[-1]
 
-    def play(self, lines):
-        self.tick()
-        self.robot.take(lines)
-        self.tick()
+    def set_clock(self, line):
+        self.clock.set(self.robot.stamp(line), *[modeler.get_model for modeler in self.modelers])
 
-    def test_a_bag_played_twice_is_modelled_twice(self):
-        self.play(100)
-        self.assertTrue(eventually(lambda: self.model().ribbons > 50))
-        first = self.model()
-        self.robot.line, self.robot.told = 0, -1
-        self.play(100)
-        self.assertTrue(any('went back' in entry.msg for entry in self.log.messages))
-        self.assertTrue(eventually(lambda: self.model().ribbons == first.ribbons), self.model())
-        second = self.model()
-        self.assertEqual((second.lines, second.dropped_lines), (100, 0))
-        self.assertEqual(len(second.planes.planes), len(first.planes.planes))
-        self.wait_in_a_pause()
+    def play(self, publish):
+        """Publishes a run; its clock moves only at the begin and at the end."""
+        self.robot.start_again()
+        self.set_clock(0)
+        publish()
+        for modeler in self.modelers:
+            self.assertTrue(eventually(lambda: modeler.model().lines == LINES), modeler.model())
+        self.set_clock(LINES)
 
-    def wait_in_a_pause(self):
-        """Nothing is dropped while the clock stands still, however long its transform takes."""
+    def take_lines(self):
+        self.robot.take(LINES)
+
+    def scans_before_transforms(self):
+        """Publishes transforms when every scan has arrived: until then only the old ones are there."""
+        for line in range(LINES):
+            self.robot.publish_scan(self.robot.scan(line))
+        for modeler in self.modelers:
+            self.assertTrue(eventually(lambda: modeler.model().lines == LINES), modeler.model())
+        for line in range(LINES + 1):
+            self.robot.publish_tf(line)
+        self.robot.line = LINES
+
+    def assert_like_the_first(self, modeler, shift):
+        """The model is that of the first run, as far away as the robot has moved."""
+        same = eventually(lambda: modeler.model().ribbons == self.first.ribbons)
+        self.assertTrue(same, modeler.model())
+        second = modeler.model()
+        self.assertEqual((second.lines, second.dropped_lines), (LINES, 0))
+        self.assertEqual(len(second.planes.planes), 1)
+        self.assertAlmostEqual(second.planes.planes[0].centroid.x, 3.0 + shift, delta=0.01)
+
+    def test_the_second_run_gives_the_model_of_a_fresh_node(self):
+        self.robot.x = 1.0
+        self.set_clock(0)
+        fresh = self.start('fresh')
+        self.play(self.scans_before_transforms)
+        for modeler in (self.old, fresh):
+            self.assert_like_the_first(modeler, shift=1.0)
+        self.assertEqual(self.old.planes(), fresh.planes())
+
+    def test_messages_may_overtake_the_clock(self):
+        for repetition in range(1, 6):
+            self.robot.x = 1.0 * repetition
+            self.robot.start_again()
+            self.robot.take(LINES)
+            self.set_clock(0)
+            self.assert_like_the_first(self.old, shift=self.robot.x)
+            self.set_clock(LINES)
+
+    def test_nothing_is_dropped_while_the_clock_stands_still(self):
+        diagnostics = Diagnostics()
         line = self.robot.line
-        self.robot.scans.publish(self.robot.scan(line + 1))
-        time.sleep(3.0)
-        self.assertEqual(self.model().dropped_lines, 0)
+        self.robot.publish_scan(self.robot.scan(line + 1))
+
+        def reports_of_waiting():
+            return sum(report.get('lines waiting for tf') == '1'
+                       for report in diagnostics.reports())
+        # One report a second: more than the timeout of a transform.
+        self.assertTrue(eventually(lambda: reports_of_waiting() >= 5))
+        self.assertEqual(self.old.model().dropped_lines, 0)
         self.robot.publish_tf(line + 1)
         self.robot.publish_tf(line + 2)
-        self.assertTrue(eventually(lambda: self.model().lines == 101))
-        self.assertEqual(self.model().dropped_lines, 0)
+        self.assertTrue(eventually(lambda: reports_of_waiting() and
+                                   self.old.model().ribbons > self.first.ribbons))
+        self.assertEqual((self.old.model().lines, self.old.model().dropped_lines), (LINES + 1, 0))
 
 
 if __name__ == '__main__':

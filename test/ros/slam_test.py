@@ -1,8 +1,10 @@
 #!/usr/bin/python3
 # SPDX-FileCopyrightText: 2026 ribbon_mapper authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""slam_adapter gets the corrected trajectory out of SLAMs whose messages are not installed: here they
-are made from their definitions, with the checksums of the real ones left to genpy."""
+"""slam_adapter publishes the corrected trajectory of SLAMs whose messages are not installed.
+
+The messages are made from their definitions; genpy computes their checksums.
+"""
 import sys
 import unittest
 
@@ -31,7 +33,7 @@ def message_class(name, text):
 
 
 class TrajectoryQuery:
-    """cartographer_ros_msgs/TrajectoryQuery as a server in Python has it."""
+    """Stands in for the generated class of cartographer_ros_msgs/TrajectoryQuery."""
     _type = 'cartographer_ros_msgs/TrajectoryQuery'
     _md5sum = '0123456789abcdef0123456789abcdef'
     _request_class = message_class('cartographer_ros_msgs/TrajectoryQueryRequest',

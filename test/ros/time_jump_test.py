@@ -1,58 +1,58 @@
 #!/usr/bin/python3
 # SPDX-FileCopyrightText: 2026 ribbon_mapper authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""The modeler says what it waits for; with on_time_jump stop, a bag that loops is modelled once."""
+"""The modeler says what it waits for; with on_time_jump stop, a looping bag is modelled once."""
 import sys
-import time
 import unittest
 
 import rospy
 import rostest
 from ribbon_mapper.srv import GetModel
-from rosgraph_msgs.msg import Clock, Log
+from rosgraph_msgs.msg import Log
 from std_srvs.srv import Trigger
 
+from diagnostics import Diagnostics
 from robot_before_a_wall import Robot
-from waiting import Latest, eventually
+from simulated_clock import SimulatedClock
+from waiting import Latest, eventually, service
 
 
 class TimeJump(unittest.TestCase):
     def setUp(self):
-        rospy.wait_for_service('modeler/get_model', 20.0)
-        self.get_model = rospy.ServiceProxy('modeler/get_model', GetModel)
-        self.reset = rospy.ServiceProxy('modeler/reset', Trigger)
-        self.clock = rospy.Publisher('/clock', Clock, queue_size=10)
         self.log = Latest('/rosout', Log)
+        self.get_model = service('modeler/get_model', GetModel)
+        self.reset = service('modeler/reset', Trigger)
+        self.clock = SimulatedClock()
         self.robot = Robot()
         self.assertTrue(eventually(self.robot.connected))
 
-    def ribbons(self):
-        return self.get_model(which=0, merged=True, cells=False).ribbons
+    def model(self):
+        return self.get_model(which=0, as_built=False, cells=False)
 
     def said(self, *words):
         return eventually(lambda: any(all(word in entry.msg for word in words)
                                       for entry in self.log.messages))
 
-    def play(self, lines):
-        self.clock.publish(Clock(self.robot.stamp(self.robot.line)))
-        time.sleep(0.2)
-        self.robot.take(lines)
-        self.clock.publish(Clock(self.robot.stamp(self.robot.line)))
-        time.sleep(0.2)
+    def play(self):
+        self.clock.set(self.robot.stamp(self.robot.line), self.get_model)
+        self.robot.take(100)
 
     def test_a_loop_is_modelled_once(self):
         self.assertTrue(self.said('Waiting for scans on /tilt_scan', 'there is no /clock'))
-        self.play(100)
-        self.assertTrue(eventually(lambda: self.ribbons() > 50))
-        before = self.ribbons()
-        self.robot.line, self.robot.told = 0, -1
-        self.play(100)
+        self.play()
+        Diagnostics().wait_until_handled(100)
+        before = self.model().ribbons
+        self.assertGreater(before, 50)
+        self.clock.set(self.robot.stamp(100), self.get_model)
+        self.robot.start_again()
+        self.play()
         self.assertTrue(self.said('went back', 'takes no lines until ~reset'))
-        time.sleep(0.5)
-        self.assertEqual(self.ribbons(), before)
+        self.assertTrue(eventually(lambda: self.model().dropped_lines == 100), self.model())
+        self.assertEqual(self.model().ribbons, before)
         self.assertTrue(self.reset().success)
-        self.play(100)
-        self.assertTrue(eventually(lambda: self.ribbons() > 50))
+        self.assertEqual(self.model().ribbons, 0)
+        self.play()
+        self.assertTrue(eventually(lambda: self.model().ribbons > 50), self.model())
 
 
 if __name__ == '__main__':

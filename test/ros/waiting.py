@@ -1,13 +1,16 @@
 # SPDX-FileCopyrightText: 2026 ribbon_mapper authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""Waiting for something to become true, by the clock on the wall."""
+"""Waiting for promised conditions. No test relies on how fast anything happens."""
 import time
 
 import rospy
 
+# Seconds on the wall clock, far more than a loaded machine needs. A kept promise ends the wait.
+PATIENCE = 300.0
 
-def eventually(condition, seconds=20.0):
-    """The first true value of condition(), or its last value when the time is over."""
+
+def eventually(condition, seconds=PATIENCE):
+    """Returns the first true value of condition(), or its last value when the time is over."""
     end = time.monotonic() + seconds
     while True:
         value = condition()
@@ -16,14 +19,29 @@ def eventually(condition, seconds=20.0):
         time.sleep(0.05)
 
 
+def service(name, service_type):
+    """Returns a proxy for a service, once it is there."""
+    rospy.wait_for_service(name, PATIENCE)
+    return rospy.ServiceProxy(name, service_type)
+
+
 class Latest:
-    """The messages of a topic as they came in."""
+    """The messages of a topic in the order of their arrival."""
 
     def __init__(self, topic, message_type):
         self.messages = []
         self._subscriber = rospy.Subscriber(topic, message_type, self.messages.append,
                                             queue_size=10000, buff_size=1 << 24)
 
-    def wait(self, seconds=20.0):
-        assert eventually(lambda: self.messages, seconds), self._subscriber.name + ' is silent'
+    def publishers(self):
+        """Returns how many publishers are connected."""
+        return self._subscriber.get_num_connections()
+
+    def newest(self):
+        """Returns the newest message, or None before the first."""
+        return self.messages[-1] if self.messages else None
+
+    def wait(self):
+        """Returns the newest message, once there is one."""
+        assert eventually(lambda: self.messages), self._subscriber.name + ' is silent'
         return self.messages[-1]

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 ribbon_mapper authors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Beams: how many, where to, when, and each from its own place.
+// Number, angles and times of the beams, each of which starts from its own pose.
 #include "sim/robot/hokuyo.hpp"
 
 #include <gmock/gmock.h>
@@ -36,7 +36,7 @@ struct Setting {
   double first_rad, last_rad;
 };
 
-/// As hokuyo_node counts steps (cut off from 540 at straight ahead): not symmetric.
+/// hokuyo_node truncates steps, 540 being straight ahead, so the angles are not symmetric.
 class BeamCount : public testing::TestWithParam<Setting> {};
 
 TEST_P(BeamCount, AndAngles) {
@@ -70,7 +70,7 @@ TEST(Hokuyo, TimesOfATurnAt2400PerMinute) {
   EXPECT_NEAR(to_seconds(Hokuyo(exact_laser(1.57), 1).sweep_time()), 0.0125, 5e-5) << "720 beams";
 }
 
-TEST(Hokuyo, ASlowerRateLeavesTurnsOut) {
+TEST(Hokuyo, ASlowerRateSkipsTurns) {
   HokuyoConfig config = exact_laser();
   config.rate_hz = 20.0;
   Hokuyo laser(config, 1);
@@ -79,7 +79,7 @@ TEST(Hokuyo, ASlowerRateLeavesTurnsOut) {
               1e-8);
 }
 
-/// A laser that moves and turns fast in a room, against the slab rule at each beam's own time.
+/// Compares a laser that moves and turns fast with the slab rule at each beam's own time.
 TEST(Hokuyo, EachBeamIsCastFromItsOwnTime) {
   const Vector3d half(4, 3, 2);
   const World room = hollow_room(half);
@@ -106,10 +106,10 @@ TEST(Hokuyo, EachBeamIsCastFromItsOwnTime) {
           std::abs(range_m - range_in_room(half, first.translation(), first.linear() * beam)));
     }
   }
-  EXPECT_GT(largest_shift_m, 0.05) << "the motion must matter, or this test says nothing";
+  EXPECT_GT(largest_shift_m, 0.05) << "otherwise this test would prove nothing";
 }
 
-/// The whole tour: route, tilt and chain put together here once more.
+/// Compares a whole tour with route, tilt and joints composed here independently.
 TEST(Hokuyo, ATourSeesTheRoomFromWhereTheRobotIs) {
   const Vector3d half(6, 5, 3);
   const World room = hollow_room(half);
@@ -143,7 +143,7 @@ bool same_ranges(const Scan& a, const Scan& b) {
   return a.stamp == b.stamp && a.ranges_m == b.ranges_m && a.faces == b.faces;
 }
 
-/// Noise included: a line depends on its stamp and the seed, not on the lines before it.
+/// A line depends on its stamp and the seed, noise included, and not on the lines before it.
 TEST(Hokuyo, LinesMayBeMadeInAnyOrderAndByManyThreads) {
   const World world = world_of(sdf_block("wall", {4, -9, -9}, {4.1, 9, 9}) +
                                sdf_block("board", {2, -0.3, -9}, {2.01, 0.3, 9}));

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 ribbon_mapper authors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// The drift against what gmapping's motion model says in closed form, over many seeds.
+// The drift over many seeds against the closed form of gmapping's motion model.
 #include "sim/tour/localisation.hpp"
 
 #include <gtest/gtest.h>
@@ -18,7 +18,7 @@ struct Spread {
   double x_m = 0.0, y_m = 0.0, yaw_rad = 0.0;
 };
 
-/// Of the error that `error_of` finds in the localisation of each seed.
+/// Returns the root mean squares of the error that `error_of` returns for each seed.
 Spread spread(const Route& route, const LocalisationConfig& config,
               const std::function<Pose(const Localisation&)>& error_of) {
   Spread sum;
@@ -32,7 +32,7 @@ Spread spread(const Route& route, const LocalisationConfig& config,
           std::sqrt(sum.yaw_rad / kSeeds)};
 }
 
-/// Odometry at the end of the route, seen from where the robot really is.
+/// Returns the odometry's error at the end of the route, in the frame of the true pose.
 Spread end_spread(const Route& route, const LocalisationConfig& config) {
   return spread(route, config, [&](const Localisation& localisation) -> Pose {
     const Pose way = route.T_map_base(Time(0)).inverse() * route.T_map_base(route.duration());
@@ -44,14 +44,14 @@ void expect_within(double value, double expected, double share) {
   EXPECT_NEAR(value / expected, 1.0, share) << value << " against " << expected;
 }
 
-/// 4 m are 8 filter updates of 0.5 m: variances add up.
+/// A drive of 4 m has 8 filter updates of 0.5 m, whose variances add up.
 TEST(Localisation, StraightDriveDriftsAsGmappingsModel) {
   const Spread at_end = end_spread(Route(0.5, 0.5, {{0, 0}, {4, 0}}), {});
   const double yaw_rad = 0.02 * 0.5 * std::sqrt(8.0);
   expect_within(at_end.yaw_rad, yaw_rad, 0.15);
   expect_within(at_end.x_m, 0.01 * 0.5 * std::sqrt(8.0), 0.15);
-  // Across: little of its own, and a heading that walks at random over the way: L^2 sigma^2 / 3,
-  // seen from the robot at the end.
+  // Across: a small error of its own, and the random walk of the heading over the way. The latter
+  // is L^2 sigma^2 / 3 in the robot's frame at the end.
   const double across_m =
       std::hypot(4.0 * yaw_rad / std::sqrt(3.0), 0.3 * 0.01 * 0.5 * std::sqrt(8.0));
   expect_within(at_end.y_m, across_m, 0.15);
@@ -101,7 +101,7 @@ TEST(Localisation, WithoutDriftIsExact) {
       << "odom begins where the robot starts";
 }
 
-/// SLAM closes no loop: map and odometry differ by where the match lies within a cell of 5 cm.
+/// SLAM closes no loop: map and odometry differ by the match's place within a cell of 5 cm.
 TEST(Localisation, ScanMatchingJittersWithinACell) {
   const Route route(0.5, 0.5, {{0, 0}, {4, 0}});
   const Time at = from_seconds(std::round(to_seconds(route.duration()) / 2.0 * 30.0) / 30.0);

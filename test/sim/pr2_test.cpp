@@ -11,7 +11,7 @@ using Eigen::AngleAxisd;
 using Eigen::Translation3d;
 using Eigen::Vector3d;
 
-/// Joint by joint as pr2_description has them.
+/// Composes the joints of pr2_description one by one.
 Pose chain(double tilt_rad, double torso_m) {
   return Translation3d(0, 0, 0.051) *                   // base_footprint_joint
          Translation3d(-0.05, 0, 0.739675 + torso_m) *  // torso_lift_joint

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 ribbon_mapper authors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Noise, quantisation and mixed pixels by statistics.
+// Statistics of noise, quantisation and mixed pixels.
 #include <gtest/gtest.h>
 
 #include <functional>
@@ -15,10 +15,10 @@ namespace {
 struct Case {
   const char* name;
   double distance_m;
-  double sigma_m;  ///< from the sources, written down here once more
+  double sigma_m;  ///< from the sources, independent of the code
 };
 
-/// Wall at a distance, seen by beams of +-0.2 rad: ranges differ by 2 %.
+/// A wall seen by beams within +-0.2 rad, whose ranges differ by 2 %.
 class RangeSigma : public testing::TestWithParam<Case> {};
 
 TEST_P(RangeSigma, IsThatOfItsSource) {
@@ -83,7 +83,7 @@ TEST(RangeNoise, RangesAreWholeMillimetres) {
   }
 }
 
-/// A board of 0.6 m, 2 m ahead, before a wall 4 m ahead.
+/// A board of 0.6 m, 2 m ahead, in front of a wall 4 m ahead.
 class MixedPixels : public testing::Test {
  protected:
   Scan scan_from(const Hokuyo& laser, int line) const {

@@ -62,8 +62,8 @@ TEST_F(RouteFile, NamesTheKey) {
 
 TEST_F(RouteFile, NamesTheWaypoint) {
   const std::string head = "speed: 0.3\nturn_rate: 0.6\nwaypoints: ";
-  EXPECT_THAT(error_of(head + "[[0, 0], [1, 2, 3]]\n"), HasSubstr("waypoint 2 is no [x, y]"));
-  EXPECT_THAT(error_of(head + "[[0, 0], 5]\n"), HasSubstr("waypoint 2 is no [x, y]"));
+  EXPECT_THAT(error_of(head + "[[0, 0], [1, 2, 3]]\n"), HasSubstr("waypoint 2 is not [x, y]"));
+  EXPECT_THAT(error_of(head + "[[0, 0], 5]\n"), HasSubstr("waypoint 2 is not [x, y]"));
   EXPECT_THAT(error_of(head + "[[0, 0], [a, 1]]\n"), HasSubstr("must be a number"));
   EXPECT_THAT(error_of(head + "7\n"), HasSubstr("must be a list"));
   EXPECT_THAT(error_of(head + "[[0, 0]]\n"), HasSubstr("two or more"));

@@ -19,8 +19,8 @@ constexpr double kPi = 3.14159265358979323846;
 
 double duration_s(const Route& route) { return to_seconds(route.duration()); }
 
-/// From rest to rest: cruise, and one ramp's time more (the limits are the PR2's: 2 m/s2, 2
-/// rad/s2).
+/// Duration from rest to rest: that of a cruise plus one ramp, at the PR2's limits of 2 m/s2 and
+/// 2 rad/s2.
 double ramped_s(double way, double speed) { return way / speed + speed / 2.0; }
 
 TEST(Route, StraightDriveTakesWayOverSpeedAndARamp) {
@@ -69,7 +69,7 @@ TEST(Route, StandsBeforeItsStartAndAfterItsEnd) {
   EXPECT_EQ(route.velocity(late).forward_m_s, 0.0);
 }
 
-/// The velocity is the derivative of the pose, and keeps to what was asked and to the PR2's limits.
+/// The velocity is the derivative of the pose and respects the route's and the PR2's limits.
 TEST(Route, VelocityIsTheDerivativeOfThePose) {
   const Route route(0.45, 0.65, {{0, 0}, {2, 0.5}, {1, 2}, {-1, 1}, {0, 0}});
   const double step_s = 1e-3;
@@ -106,7 +106,7 @@ TEST(Route, RefusesWhatAPr2CannotDo) {
   EXPECT_THAT(made(0.3, 0.5, {{0, 0}, {INFINITY, 0}}), ThrowsMessage<E>(HasSubstr("finite")));
 }
 
-/// The first place where the body, 0.65 x 0.65 m, meets the wall at x = 2 is x = 1.675.
+/// The body of 0.65 x 0.65 m first touches the wall at x = 2 from x = 1.675.
 TEST(Route, ThroughAWallIsRefusedWithThePlaceNamed) {
   const World world = world_of(sdf_block("wall", {2, -3, 0}, {2.1, 3, 2.5}));
   require_free(world, Route(0.3, 0.6, {{0, 0.5}, {1.67, 0.5}}));
@@ -134,7 +134,7 @@ TEST(Route, TheBodyPassesUnderALintelOnlyAsHighAsItIs) {
   EXPECT_NO_THROW(require_free(world_of(sdf_block("carpet", {1, -1, 0}, {3, 1, 0.01})), route));
 }
 
-/// A cube of +-9 m as a mesh, which has no inside of its own; `bottom` closes it.
+/// Returns a cube of +-9 m as a mesh, which is hollow; `bottom` closes it.
 World hollow_cube(bool bottom) {
   std::string text;
   for (const char* z : {" -9\n", " 9\n"})
@@ -156,7 +156,7 @@ TEST(Route, InsideAClosedMeshIsNotFreeEither) {
       << "through its side";
 }
 
-/// Solids and closed meshes are met even when the body is wholly inside of them.
+/// Solids and closed meshes are detected even if the body is entirely inside them.
 TEST(Route, InsideASolidIsNotFree) {
   const World world = world_of(sdf_block("hill", {-9, -9, -9}, {9, 9, 9}));
   EXPECT_THROW(require_free(world, Route(0.3, 0.6, {{0, 0}, {1, 0}})), std::runtime_error);

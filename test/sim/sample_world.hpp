@@ -12,17 +12,18 @@
 
 namespace ribbon_mapper::sim {
 
+/// Writes a file and makes its folders.
 inline void write_file(const std::filesystem::path& path, const std::string& text) {
   std::filesystem::create_directories(path.parent_path());
   std::ofstream(path) << text;
 }
 
-/// SDF of a world with `content` in it.
+/// Returns the SDF of a world that contains `content`.
 inline std::string sdf_world(const std::string& content) {
   return "<?xml version='1.0'?><sdf version='1.6'><world name='test'>" + content + "</world></sdf>";
 }
 
-/// SDF of a model with one collision; `pose` as SDF writes it: "x y z roll pitch yaw".
+/// Returns the SDF of a model with one collision; `pose` is "x y z roll pitch yaw".
 inline std::string sdf_model(const std::string& name, const std::string& pose,
                              const std::string& geometry) {
   return "<model name='" + name + "'><static>true</static><pose>" + pose +
@@ -30,15 +31,17 @@ inline std::string sdf_model(const std::string& name, const std::string& pose,
          "</geometry></collision></link></model>";
 }
 
+/// Returns the SDF of a box; `size` is "x y z".
 inline std::string sdf_box(const std::string& size) {
   return "<box><size>" + size + "</size></box>";
 }
 
+/// Returns the SDF of a mesh file.
 inline std::string sdf_mesh(const std::string& uri) {
   return "<mesh><uri>" + uri + "</uri></mesh>";
 }
 
-/// A box by the places of its six sides [m].
+/// Returns the SDF of a box between two opposite corners [m].
 inline std::string sdf_block(const std::string& name, const Eigen::Vector3d& low,
                              const Eigen::Vector3d& high) {
   std::ostringstream pose, size;
@@ -49,16 +52,17 @@ inline std::string sdf_block(const std::string& name, const Eigen::Vector3d& low
   return sdf_model(name, pose.str(), sdf_box(size.str()));
 }
 
-/// The world with `content` in it.
-inline World world_of(const std::string& content) {
+/// Returns the world that contains `content`.
+inline World world_of(const std::string& content, RayCasterKind caster = RayCasterKind::bullet) {
   const TemporaryDirectory directory;
   const std::filesystem::path path = directory.path() / "test.sdf";
   write_file(path, sdf_world(content));
-  return World::load(path.string());
+  return World::load(path.string(), {}, caster);
 }
 
-/// An empty room seen from within: its inner sides lie at +-half_m, which all ranges follow from.
-inline World hollow_room(const Eigen::Vector3d& half_m) {
+/// Returns an empty room around the origin whose inner sides lie at +-half_m.
+inline World hollow_room(const Eigen::Vector3d& half_m,
+                         RayCasterKind caster = RayCasterKind::bullet) {
   std::string content;
   for (int axis = 0; axis < 3; ++axis)
     for (const int side : {-1, 1}) {
@@ -67,10 +71,10 @@ inline World hollow_room(const Eigen::Vector3d& half_m) {
       content +=
           sdf_block("side_" + std::to_string(axis) + (side < 0 ? "_low" : "_high"), low, high);
     }
-  return world_of(content);
+  return world_of(content, caster);
 }
 
-/// Way from `origin` within a hollow room to its sides, by the slab rule [m].
+/// Returns the range [m] from `origin` within a hollow room to its sides, by the slab rule.
 inline double range_in_room(const Eigen::Vector3d& half_m, const Eigen::Vector3d& origin,
                             const Eigen::Vector3d& direction) {
   double range_m = 1e9;

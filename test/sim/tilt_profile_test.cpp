@@ -50,7 +50,7 @@ TEST(TiltProfile, NavGoesFromRestToRest) {
   EXPECT_NEAR(rate(1.8), 0.0, 0.01) << "stands at the turning point";
 }
 
-TEST(TiltProfile, IsCutAtTheJointsLimits) {
+TEST(TiltProfile, IsClampedToTheJointsLimits) {
   const TiltProfile wide(TiltProfileConfig::linear(6.0, 1.5, 0.25));
   EXPECT_NEAR(at(wide, 0.0), -0.7854, 1e-9);
   EXPECT_NEAR(at(wide, 3.0), 1.48353, 1e-9);

@@ -15,7 +15,7 @@ namespace {
 const Eigen::Vector3d kHalf_m(3, 2, 1.5);
 const Route kRoute(0.5, 1.0, {{-1, 0}, {1, 0}});
 
-/// A room with a post in it, for edges.
+/// A room with a post, which has depth edges.
 World room_with_post() {
   return world_of(sdf_block("floor", {-4, -3, -0.1}, {4, 3, 0}) +
                   sdf_block("wall", {3, -3, 0}, {3.1, 3, 2.5}) +

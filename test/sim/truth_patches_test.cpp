@@ -23,7 +23,7 @@ std::set<Places> as_sets(const std::vector<std::vector<HitCell>>& patches) {
   return result;
 }
 
-/// By the definition: grow from one cell, looking at all others.
+/// Applies the definition: a patch grows from one cell by comparison with all others.
 std::set<Places> slowly_linked(std::vector<HitCell> cells, double max_gap_cells) {
   std::set<Places> result;
   while (!cells.empty()) {

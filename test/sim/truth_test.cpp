@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 ribbon_mapper authors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Truth planes of hand-made worlds, looked at densely from given places.
+// Truth planes of small worlds, scanned densely from given places.
 #include "sim/truth/truth.hpp"
 
 #include <gtest/gtest.h>
@@ -15,7 +15,8 @@ namespace {
 
 using Eigen::Vector3d;
 
-/// Rays in all directions, a third of a degree apart: each cell of 5 cm up to 6 m away is hit.
+/// Casts rays in all directions, a third of a degree apart, so that each cell of 5 cm up to 6 m
+/// away is hit. Returns the planes seen.
 std::vector<TruthPlane> seen_from(const World& world, const std::vector<Vector3d>& places,
                                   double min_area_m2 = 0.5) {
   TruthCollector truth(world);
@@ -31,7 +32,7 @@ std::vector<TruthPlane> seen_from(const World& world, const std::vector<Vector3d
   return truth.planes(min_area_m2);
 }
 
-/// A wall from x_begin to x_end whose near side lies at `y_m`, 2 m high.
+/// Returns a wall of 2 m height from x_begin to x_end whose near side lies at `y_m`.
 std::string wall(const std::string& name, double x_begin_m, double x_end_m, double y_m = 2.0) {
   return sdf_block(name, {x_begin_m, y_m, 0.0}, {x_end_m, y_m + 0.1, 2.0});
 }
@@ -68,7 +69,7 @@ TEST(Truth, TwoSidesOfAThinWallAreTwoPlanes) {
   EXPECT_NEAR(both[0].d_m + both[1].d_m, -0.1, 1e-9) << "10 cm apart";
 }
 
-/// A sheet without thickness has two sides all the same.
+/// A sheet without thickness has two sides nevertheless.
 TEST(Truth, AnOpenMeshIsSeenFromBothSides) {
   const TemporaryDirectory directory;
   write_file(directory.path() / "sheet.obj",
@@ -100,7 +101,7 @@ TEST(Truth, PatchesOfHalfASquareMetreOrMore) {
   EXPECT_EQ(planes_of(0.70, 0.4), 1U);
 }
 
-TEST(Truth, CurvedSurfacesAreNoPlanesTheirLidsAre) {
+TEST(Truth, LidsArePlanesCurvedSurfacesAreNot) {
   const World world =
       world_of(sdf_model("ball", "0 3 1 0 0 0", "<sphere><radius>1</radius></sphere>") +
                sdf_model("drum", "3 0 0 0 0 0",
@@ -122,7 +123,7 @@ TEST(Truth, OffsetsWithinACentimetreAreOnePlane) {
 
 TEST(Truth, NormalsWithinHalfADegreeAreOnePlane) {
   const auto planes_with_turn = [](const std::string& yaw_rad) {
-    // Turned about the wall's middle line, which passes the place nearest to the origin.
+    // Turned about the middle line of the wall, where it is nearest to the origin.
     const std::string turned = sdf_model("b", "0 2.05 3.5 0 0 " + yaw_rad, sdf_box("2 0.1 2"));
     return seen_from(world_of(sdf_block("a", {-1, 2, 0}, {1, 2.1, 2}) + turned), {kInFront}).size();
   };

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 ribbon_mapper authors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// World files as users have them: broken, incomplete, in parts.
+// World files that are broken, incomplete or divided into parts.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -38,7 +38,7 @@ class WorldFile : public testing::Test {
   TemporaryDirectory directory_;
 };
 
-/// Range along +x from the origin.
+/// Returns the range along +x from the origin.
 double range_ahead(const World& world) {
   const auto hit = world.cast(Vector3d::Zero(), Vector3d::UnitX(), 50.0);
   return hit ? hit->range_m : -1.0;
@@ -98,21 +98,21 @@ TEST_F(WorldFile, OtherGeometryIsNamed) {
   EXPECT_THAT(error_of(write("w.sdf", sdf)), AllOf(HasSubstr("pill"), HasSubstr("replace it")));
 }
 
-/// model, link and collision poses, each with a turn that changes what the next offset means.
+/// Composes poses of model, link and collision, each with a turn that affects the next offset.
 TEST_F(WorldFile, PosesAreComposed) {
   const std::string model =
       "<model name='m'><pose>2 0 0 0 0 1.5707963267948966</pose>"
       "<link name='l'><pose>0 -1 0 0 0 -1.5707963267948966</pose>"
       "<collision name='c'><pose>0.5 0 0 0 0 0.7853981633974483</pose><geometry>" +
       sdf_box("1 1 1") + "</geometry></collision></link></model>";
-  // m at x = 2 looking along +y; l 1 m to its right: x = 3; c 0.5 m further: x = 3.5, turned by
-  // 45 degrees: its edge points here, half a diagonal before its middle.
+  // The model is at x = 2 and faces +y. The link is 1 m to its right, at x = 3. The collision is at
+  // x = 3.5, turned by 45 degrees: its edge lies half a diagonal before its centre.
   EXPECT_NEAR(range_ahead(World::load(write("w.sdf", sdf_world(model)).string())),
               3.5 - std::sqrt(0.5), 1e-9);
 }
 
 TEST_F(WorldFile, RollPitchYawAreAboutFixedAxes) {
-  // A stick along x: pitched by 90 degrees it points down, and a yaw after that cannot move it.
+  // A stick along x, pitched by 90 degrees, points down; a later yaw cannot move it.
   const World world = World::load(
       write("w.sdf",
             sdf_world(sdf_model("stick", "3 0 0 0 1.5707963267948966 0.7", sdf_box("4 0.2 0.2"))))
@@ -138,7 +138,7 @@ TEST_F(WorldFile, IncludesAreFoundInTheModelPath) {
   EXPECT_THAT(error_of(path, {folder("nowhere")}), HasSubstr("model://box"));
 }
 
-/// A quad across the x axis at `x_m`.
+/// Returns a quad across the x axis at `x_m`.
 std::string obj_wall(double x_m) {
   std::ostringstream text;
   for (const char* yz : {"-1 -1", "1 -1", "1 1", "-1 1"}) text << "v " << x_m << " " << yz << "\n";

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: 2026 ribbon_mapper authors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Every world that comes with the package: it loads, its route is free, and the tour sees as many
-// planes as the world was designed to show.
+// Every world of the package loads, its route is free, and its tour sees as many planes as the
+// world was designed to show.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -19,7 +19,7 @@ namespace fs = std::filesystem;
 
 const fs::path kWorlds = PROJECT_DIR "/worlds";
 
-/// The planes that the tour of the world's own route sees; throws if the route collides.
+/// Returns the planes that the tour of the world's own route sees. Throws if the route collides.
 std::vector<TruthPlane> seen_planes(const fs::path& path) {
   const World world = World::load(path.string());
   const Route route = Route::load(fs::path(path).replace_extension(".route.yaml").string());
@@ -49,7 +49,7 @@ INSTANTIATE_TEST_SUITE_P(Worlds, ShippedWorld,
                            return fs::path(test.param.file).stem().string();
                          });
 
-/// What the drawing of the room says: each plane, and how much of it there is at most.
+/// Compares the room with its drawing: each plane and its largest visible area.
 TEST(Room, HasThePlanesOfItsDrawing) {
   struct Drawn {
     Eigen::Vector3d normal;
@@ -77,7 +77,7 @@ TEST(Room, HasThePlanesOfItsDrawing) {
   }
 }
 
-/// Nothing may be assumed to be level, upright or at right angles to anything else.
+/// The modeler must not assume that planes are level, upright or at right angles.
 TEST(Slopes, HaveFewRightAngles) {
   const auto planes = seen_planes(kWorlds / "slopes.sdf");
   const auto is_oblique = [](const TruthPlane& plane) {

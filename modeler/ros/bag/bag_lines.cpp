@@ -69,8 +69,8 @@ BagLines::~BagLines() = default;
 std::optional<ReadyLine> BagLines::next() {
   try {
     for (;;) {
-      if (auto line = intake_.next(tf_, now_)) return line;
-      if (at_ == messages_->end()) return intake_.last(tf_);
+      if (auto line = intake_.take_next(tf_, now_)) return line;
+      if (at_ == messages_->end()) return intake_.take_next_at_end(tf_);
       take(*at_);
       ++at_;
     }

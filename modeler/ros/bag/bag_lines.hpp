@@ -17,35 +17,40 @@
 
 namespace ribbon_mapper {
 
+/// Settings for reading scan lines from bags.
 struct BagOptions {
-  std::string scan_topic;  ///< empty: see scan_topic_of()
-  IntakeOptions intake;
+  std::string scan_topic;                ///< empty: see scan_topic_of()
+  IntakeOptions intake;                  ///< frames and times
   std::set<std::string> tf_drop_frames;  ///< see enter_transforms()
-  double tf_cache_s = 120.0;
+  double tf_cache_s = 120.0;             ///< how far lookups in tf reach back
 };
 
-/// The topic of the tilting laser: `wanted`, with or without its leading slash; if that is empty,
-/// the only topic of LaserScans, or tilt_scan among several. Throws std::runtime_error that lists
-/// the topics with scans if there is none, if it is not clear which, or if it carries another type.
+/// Returns the topic of the tilting laser: `wanted`, with or without its leading slash. If `wanted`
+/// is empty, returns the only topic with scans, or tilt_scan among several. Throws
+/// std::runtime_error that lists the topics with scans if there is none, if the choice is not
+/// clear, or if the topic carries another type.
 std::string scan_topic_of(const std::vector<BagTopic>& topics, const std::string& wanted);
 
-/// The scan lines of bags with the poses that tf has for them, as the node would take them: the
-/// same intake, but by the clock of the recording. All of /tf_static is read first, for a part of a
-/// longer recording may have it late.
+/// Reads the scan lines of bags with their poses from tf. Uses the intake of the node, with the
+/// clock of the recording. Reads all of /tf_static first, because a part of a longer recording may
+/// have it late.
 class BagLines {
  public:
-  /// `log` counts lines and drops; it must outlive this. Throws std::runtime_error as BagSet and
-  /// scan_topic_of() do.
+  /// Opens the bags. `log` counts lines and drops; it must outlive this object. Throws
+  /// std::runtime_error as BagSet and scan_topic_of() do.
   BagLines(const std::vector<std::filesystem::path>& bags, const BagOptions& options, LineLog& log);
-  ~BagLines();
+  ~BagLines();  ///< closes the bags
 
-  /// Throws std::runtime_error if a bag is damaged.
+  /// Reads on and returns the next line; nothing at the end. Throws std::runtime_error if a bag is
+  /// damaged.
   std::optional<ReadyLine> next();
 
+  /// Returns the topic of the scans.
   const std::string& scan_topic() const { return scan_topic_; }
-  std::size_t line_count() const { return line_count_; }       ///< scans in the bags
-  std::size_t refused_transforms() const { return refused_; }  ///< not usable, left out
-  const tf2::BufferCore& tf() const { return tf_; }
+  /// Returns the number of scans in the bags.
+  std::size_t line_count() const { return line_count_; }
+  /// Returns the number of unusable transforms so far.
+  std::size_t refused_transforms() const { return refused_; }
 
  private:
   void take(const rosbag::MessageInstance& message);

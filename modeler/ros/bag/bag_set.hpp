@@ -15,35 +15,35 @@ namespace ribbon_mapper {
 
 /// A topic of one or several bags.
 struct BagTopic {
-  std::string name;
-  std::string type;  ///< as recorded, such as sensor_msgs/LaserScan
-  std::string md5;   ///< of its definition: what decides whether it can be read
-  std::size_t messages = 0;
+  std::string name;          ///< as recorded, such as /tilt_scan
+  std::string type;          ///< as recorded, such as sensor_msgs/LaserScan
+  std::string md5;           ///< of its definition, which decides whether it can be read
+  std::size_t messages = 0;  ///< in all bags
 };
 
-/// Bags that are read as one: their messages in order of the time that they were recorded at,
-/// whatever the compression.
+/// Several bags that are read as one, in the order in which their messages were recorded.
 class BagSet {
  public:
-  /// Throws std::runtime_error that names the file and says what to do, if one cannot be read, is
-  /// no bag, is cut short or has no index.
+  /// Opens the bags. Throws std::runtime_error that names the file and says what to do if a file
+  /// cannot be read, is no bag, is cut short or has no index.
   explicit BagSet(const std::vector<std::filesystem::path>& files);
 
-  std::vector<BagTopic> topics() const;  ///< by name; one with two definitions is listed twice
+  /// Returns the topics in the order of their names. A topic with two definitions is listed twice.
+  std::vector<BagTopic> topics() const;
 
   /// Calls `take` for each message of the topics, in order of time, until it returns false. Throws
-  /// std::runtime_error if a bag turns out to be damaged on the way.
+  /// std::runtime_error if a bag is damaged.
   void read(const std::vector<std::string>& topics,
             const std::function<bool(const rosbag::MessageInstance&)>& take) const;
 
-  /// The same for a reader that comes and goes: a view and its position.
+  /// Returns a view of the topics, for a reader that keeps its position.
   std::unique_ptr<rosbag::View> view(const std::vector<std::string>& topics) const;
 
  private:
   std::vector<std::unique_ptr<rosbag::Bag>> bags_;
 };
 
-/// What to say of a bag that turned out to be damaged while it was read.
+/// Returns the error for a bag that turned out to be damaged while it was read.
 std::runtime_error damaged_bag(const std::exception& error);
 
 }  // namespace ribbon_mapper

@@ -7,10 +7,10 @@
 
 #include <stdexcept>
 
+#include "modeler/ros/bag_check/number_text.hpp"
 #include "modeler/ros/bag_check/scan_survey.hpp"
-#include "modeler/ros/bag_check/sweep_survey.hpp"
 #include "modeler/ros/bag_check/tf_survey.hpp"
-#include "modeler/ros/bag_check/words.hpp"
+#include "modeler/ros/bag_check/tilt_survey.hpp"
 
 namespace ribbon_mapper {
 namespace {
@@ -38,7 +38,7 @@ void survey_messages(const BagSet& bags, const std::string& scan_topic, ScanSurv
 void report_drops(const LineLog& log, BagReport& report) {
   const std::size_t dropped = log.dropped_lines();
   if (dropped == 0) {
-    report.fact("tf knows the place of every line");
+    report.fact("tf has the pose of every line");
     return;
   }
   for (const auto& [reason, count] : log.dropped_by_reason()) {
@@ -61,14 +61,14 @@ void check(const std::vector<std::filesystem::path>& files, const BagOptions& op
 
   LineLog log;
   BagLines lines(files, options, log);
-  SweepSurvey sweep;
-  while (const std::optional<ReadyLine> line = lines.next()) sweep.add(line->beams, line->poses);
+  TiltSurvey tilt;
+  while (const std::optional<ReadyLine> line = lines.next()) tilt.add(line->beams, line->poses);
   report_drops(log, report);
   if (lines.refused_transforms() > 0) {
     report.warning(counted(lines.refused_transforms(), "transform") +
                    " cannot be used: not finite, no unit quaternion, or a frame in itself");
   }
-  sweep.report(scans, report);
+  tilt.report(scans, report);
 }
 
 }  // namespace

@@ -10,8 +10,8 @@
 
 namespace ribbon_mapper {
 
-/// Whether bags can be mapped, and what is wrong with them. Never throws on account of a bag: what
-/// cannot be read is a fault.
+/// Finds out whether bags can be mapped, and what is wrong with them. Never throws because of a
+/// bag: one that cannot be read is a fault in the report.
 BagReport check_bags(const std::vector<std::filesystem::path>& files, const BagOptions& options);
 
 }  // namespace ribbon_mapper

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 ribbon_mapper authors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// Whether a bag can be mapped: see `bag_check --help`.
+// Checks whether a bag can be mapped: see `bag_check --help`.
 
 #include <cstdio>
 #include <exception>

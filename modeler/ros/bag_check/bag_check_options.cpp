@@ -9,28 +9,27 @@ namespace ribbon_mapper {
 namespace {
 
 constexpr const char* kDescription =
-    "Says whether a bag can be mapped, and what is wrong with it: topics, stamps, gaps, tf, "
-    "ranges,\n"
-    "the tilt, line spacing against noise, and the time offset of the laser.";
+    "Checks whether a bag can be mapped and reports what is wrong with it: topics, stamps, gaps,\n"
+    "tf, ranges, the tilt, line spacing against noise, and the time offset of the laser.";
 
 constexpr const char* kFooter =
-    "Exit code: 0 it can be mapped (warnings or not), 1 it cannot, 2 wrong usage.";
+    "Exit code: 0 it can be mapped (with or without warnings), 1 it cannot, 2 wrong usage.";
 
 }  // namespace
 
 void add_bag_options(CLI::App& app, BagOptions& options, std::string& tf_drop_frames) {
   app.add_option("--scan", options.scan_topic,
-                 "topic of the tilting laser [the only one, or tilt_scan]");
+                 "topic of the tilting laser [the only topic with scans, or tilt_scan]");
   Frames& frames = options.intake.frames;
-  app.add_option("--map-frame", frames.map)->capture_default_str();
-  app.add_option("--odom-frame", frames.odom)->capture_default_str();
-  app.add_option("--base-frame", frames.base)->capture_default_str();
+  app.add_option("--map-frame", frames.map, "frame of the localisation")->capture_default_str();
+  app.add_option("--odom-frame", frames.odom, "frame of odometry")->capture_default_str();
+  app.add_option("--base-frame", frames.base, "frame of the robot")->capture_default_str();
   app.add_option("--scan-time-offset", options.intake.scan_time_offset_s,
                  "added to the stamps of scans [s]")
       ->check(CLI::Range(-1.0, 1.0))
       ->capture_default_str();
   app.add_option("--transform-timeout", options.intake.transform_timeout_s,
-                 "how much later in the bag than its scan a transform may come [s]")
+                 "how much later than its scan a transform may be recorded [s]")
       ->check(CLI::Range(0.0, 3600.0))
       ->capture_default_str();
   app.add_option(
@@ -50,9 +49,9 @@ std::variant<BagCheckOptions, int> parse_bag_check_options(int argc, const char*
   std::string tf_drop_frames;
   CLI::App app(kDescription, "bag_check");
   app.footer(kFooter);
-  app.add_option("bag", options.bags, "bags, read as one in order of time")->required();
+  app.add_option("bag", options.bags, "bags, read as one in the order of time")->required();
   app.add_option("--config", options.config,
-                 "preset: also compare up and down sweeps, and propose a time offset");
+                 "preset: also compare up and down sweeps and propose a time offset");
   add_bag_options(app, options.bag, tf_drop_frames);
   try {
     app.parse(argc, argv);

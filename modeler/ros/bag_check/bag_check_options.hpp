@@ -12,21 +12,22 @@
 
 namespace ribbon_mapper {
 
-/// What a user of `bag_check` can choose.
+/// Command line options of `bag_check`.
 struct BagCheckOptions {
-  std::vector<std::filesystem::path> bags;
+  std::vector<std::filesystem::path> bags;  ///< read as one
   std::string config;  ///< preset for the check of the time offset; empty: no such check
-  BagOptions bag;
+  BagOptions bag;      ///< topic, frames and times
 };
 
-/// The options, or the exit code of a program that has said what was to be said (0: help, 2:
-/// usage).
+/// Returns the options, or the exit code if the program has printed its help (0) or a usage error
+/// (2).
 std::variant<BagCheckOptions, int> parse_bag_check_options(int argc, const char* const* argv);
 
-/// The options that all programs for bags share: topic, frames, time offset, what tf leaves out.
+/// Adds the options that all programs for bags share: topic, frames, time offset, dropped
+/// transforms.
 void add_bag_options(CLI::App& app, BagOptions& options, std::string& tf_drop_frames);
 
-/// To be called after parsing.
+/// Completes the shared options; to be called after parsing.
 void finish_bag_options(BagOptions& options, const std::string& tf_drop_frames);
 
 }  // namespace ribbon_mapper

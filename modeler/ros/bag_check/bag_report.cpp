@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-#include "modeler/ros/bag_check/words.hpp"
+#include "modeler/ros/bag_check/number_text.hpp"
 
 namespace ribbon_mapper {
 

@@ -6,14 +6,14 @@
 #include <cmath>
 #include <utility>
 
-#include "modeler/ros/bag_check/words.hpp"
+#include "modeler/ros/bag_check/number_text.hpp"
 #include "modeler/ros/messages/message_conversions.hpp"
 
 namespace ribbon_mapper {
 namespace {
 
-constexpr std::size_t kMaxSamples = 1'000'000;  // of a long bag, its beginning says enough
-constexpr double kEdge_m = 0.2;                 // a second difference above is a jump in depth
+constexpr std::size_t kMaxSamples = 1'000'000;  // enough: the beginning of a long bag
+constexpr double kEdge_m = 0.2;                 // larger second differences are jumps in depth
 constexpr double kOtherClock_s = 60.0;
 
 bool is_usable(float range_m, const sensor_msgs::LaserScan& scan) {
@@ -117,7 +117,7 @@ void ScanSurvey::report(BagReport& report) const {
 
 void ScanSurvey::report_stamps(BagReport& report) const {
   if (2 * without_stamp_ > scans_) {
-    report.fault("scans have no stamp (zero): their place cannot be looked up");
+    report.fault("scans have no stamp (zero): their poses cannot be looked up");
     return;
   }
   if (without_stamp_ > 0) report.warning(counted(without_stamp_, "scan") + " without a stamp");
@@ -141,7 +141,7 @@ void ScanSurvey::report_stamps(BagReport& report) const {
   const double delay_s = median_of(delays_s_);
   if (std::abs(delay_s) > kOtherClock_s) {
     report.warning("scans are stamped " + number(delay_s, 0) +
-                   " s from the time they were recorded at: two clocks; all stamps must be of one");
+                   " s before they were recorded: two clocks; all stamps must be of one");
   }
 }
 
@@ -158,7 +158,7 @@ void ScanSurvey::report_ranges(BagReport& report) const {
   } else if (10 * usable < ranges_) {
     report.warning("only " + share(usable) + " of the ranges are usable");
   }
-  if (zero_ > 0) report.fact("ranges of zero (a driver of before REP 117) count as no return");
+  if (zero_ > 0) report.fact("ranges of zero (a driver older than REP 117) count as no return");
 }
 
 }  // namespace ribbon_mapper

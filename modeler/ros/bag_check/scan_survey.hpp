@@ -15,19 +15,25 @@
 
 namespace ribbon_mapper {
 
-/// Looks at the scans of a bag as they are, without tf: stamps, gaps, kinds of ranges, noise.
+/// Statistics of the scans in a bag, without tf: stamps, gaps, kinds of ranges, noise.
 class ScanSurvey {
  public:
+  /// Adds a scan that was recorded at `recorded`.
   void add(const sensor_msgs::LaserScan& scan, const ros::Time& recorded);
+  /// Adds the findings to a report.
   void report(BagReport& report) const;
 
+  /// Returns the number of scans.
   std::size_t scans() const { return scans_; }
+  /// Returns the angle between neighbouring beams.
   double beam_step_rad() const { return beam_step_rad_; }
+  /// Returns the median time between scans; 0 for fewer than two scans.
   double median_period_s() const;
-  double median_range_m() const;  ///< 0 without a usable range
-  /// Noise of a range as second differences tell it, which are noise alone on a plane: of
-  /// successive beams and of successive lines, whichever is more (drivers smooth along a line).
-  /// Robust against edges; 0 if it cannot be told.
+  /// Returns the median of the usable ranges; 0 if there are none.
+  double median_range_m() const;
+  /// Estimates the standard deviation of a range from second differences, which on a plane are
+  /// noise alone. Takes the larger one of successive beams and of successive lines, because drivers
+  /// may smooth along a line. Robust against edges. Returns 0 without enough ranges.
   double noise_m() const;
 
  private:
@@ -49,7 +55,7 @@ class ScanSurvey {
   std::vector<float> along_m_, across_m_;  ///< second differences
 };
 
-/// Of any values; 0 if there are none.
+/// Returns the median of any values; 0 if there are none.
 double median_of(std::vector<double> values);
 
 }  // namespace ribbon_mapper

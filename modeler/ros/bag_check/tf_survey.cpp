@@ -4,13 +4,13 @@
 
 #include <algorithm>
 
-#include "modeler/ros/bag_check/words.hpp"
+#include "modeler/ros/bag_check/number_text.hpp"
 #include "modeler/ros/messages/message_conversions.hpp"
 
 namespace ribbon_mapper {
 namespace {
 
-constexpr double kGapsOfLines = 4.0;  // tf at half the rate of the lines is still interpolated well
+constexpr double kGapsOfLines = 4.0;  // interpolation is still good at half the rate of the lines
 constexpr double kMinGap_s = 0.25;
 
 }  // namespace
@@ -37,7 +37,7 @@ void TfSurvey::add(const tf2_msgs::TFMessage& message, bool is_static) {
 
 void TfSurvey::report(const Frames& frames, double line_period_s, BagReport& report) const {
   if (messages_ == 0) {
-    report.fault("there is no /tf: record it, or nobody knows where the laser was");
+    report.fault("there is no /tf: record it, else the poses of the laser are unknown");
     return;
   }
   if (with_slash_ > 0) {
@@ -49,10 +49,9 @@ void TfSurvey::report(const Frames& frames, double line_period_s, BagReport& rep
   for (const std::string& frame : {frames.odom, frames.base}) {
     const auto link = links_.find(frame);
     if (link == links_.end()) continue;
-    report.fact(
-        "the bag holds " + *link->second.parents.begin() + " -> " + frame + " (" +
-        counted(link->second.transforms, "transform") +
-        "): if a localisation of its own runs on a replay, leave it out with tf_drop_frames");
+    report.fact("the bag holds " + *link->second.parents.begin() + " -> " + frame + " (" +
+                counted(link->second.transforms, "transform") +
+                "): if a localisation runs during the replay, leave it out with tf_drop_frames");
   }
   report_links(line_period_s, report);
 }
@@ -63,7 +62,7 @@ void TfSurvey::report_links(double line_period_s, BagReport& report) const {
     const std::string name = *link.parents.begin() + " -> " + child;
     if (link.parents.size() > 1) {
       report.warning("frame " + child + " has " + std::to_string(link.parents.size()) +
-                     " parents in tf: two sources say where it is");
+                     " parents in tf: two sources publish its pose");
     }
     if (link.backwards > link.transforms / 10) {
       report.warning("stamps of " + name + " go backwards " + std::to_string(link.backwards) +
@@ -72,7 +71,7 @@ void TfSurvey::report_links(double line_period_s, BagReport& report) const {
     if (!link.is_static && link.longest_gap_s > limit_s) {
       report.warning("tf has a gap of " + number(link.longest_gap_s, 2) + " s in " + name +
                      ", longer than " + number(kGapsOfLines, 0) +
-                     " lines: poses in it are interpolated, if anything moved then they are wrong");
+                     " lines: poses in it are interpolated, and wrong if anything moved");
     }
   }
 }

@@ -14,12 +14,14 @@
 
 namespace ribbon_mapper {
 
-/// Looks at the transforms of a bag as they are: who has which parent, gaps, slashes.
+/// Statistics of the transforms in a bag: parents, gaps, leading slashes.
 class TfSurvey {
  public:
+  /// Adds the transforms of a message.
   void add(const tf2_msgs::TFMessage& message, bool is_static);
 
-  /// Gaps longer than `line_period_s` are longer than a line: what moves in them is not known.
+  /// Adds the findings to a report. Gaps of several `line_period_s` are warned about: motion within
+  /// them is unknown.
   void report(const Frames& frames, double line_period_s, BagReport& report) const;
 
  private:

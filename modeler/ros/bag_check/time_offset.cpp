@@ -7,15 +7,15 @@
 
 #include "modeler/io/config_file.hpp"
 #include "modeler/modeler.hpp"
-#include "modeler/ros/bag_check/words.hpp"
+#include "modeler/ros/bag_check/number_text.hpp"
 
 namespace ribbon_mapper {
 namespace {
 
-constexpr double kLongest_s = 30.0;
+constexpr double kMaxDuration_s = 30.0;
 constexpr double kStep_s = 0.01;
-constexpr int kSteps = 4;  // to either side
-/// Below, what the parabola says is as much the noise's as the clock's.
+constexpr int kSteps = 4;  // in each direction
+/// A smaller estimate may come from noise alone.
 constexpr double kMinOffset_s = 0.002;
 constexpr double kClearlyThinner = 0.97;
 
@@ -25,13 +25,14 @@ std::vector<ReadyLine> first_lines(const std::vector<std::filesystem::path>& bag
   BagLines source(bags, options, log);
   std::vector<ReadyLine> lines;
   while (std::optional<ReadyLine> line = source.next()) {
-    if (!lines.empty() && to_seconds(line->beams.stamp - lines[0].beams.stamp) > kLongest_s) break;
+    if (!lines.empty() && to_seconds(line->beams.stamp - lines[0].beams.stamp) > kMaxDuration_s)
+      break;
     lines.push_back(std::move(*line));
   }
   return lines;
 }
 
-/// Root mean square distance of the points from their planes; nothing without planes.
+/// Returns the root mean square distance of the points from their planes; nothing without planes.
 std::optional<double> thickness_m(const std::vector<std::filesystem::path>& bags,
                                   BagOptions options, const ModelerConfig& config,
                                   double offset_s) {
@@ -63,10 +64,10 @@ std::optional<TimeOffset> estimate_time_offset(const std::vector<std::filesystem
     thickness.push_back(*at);
   }
   const auto best = std::min_element(thickness.begin(), thickness.end());
-  const auto most = std::max_element(thickness.begin(), thickness.end());
-  if (*best > kClearlyThinner * *most) return std::nullopt;  // flat
+  const auto thickest = std::max_element(thickness.begin(), thickness.end());
+  if (*best > kClearlyThinner * *thickest) return std::nullopt;  // flat
   if (best == thickness.begin() || best == thickness.end() - 1) return std::nullopt;
-  // The square of the thickness is a parabola of the offset.
+  // The square of the thickness is a quadratic function of the offset.
   const auto square = [](double x) { return x * x; };
   const double left = square(best[-1]), middle = square(best[0]), right = square(best[1]);
   const double shift = 0.5 * (left - right) / (left - 2.0 * middle + right);
@@ -78,7 +79,7 @@ void report_time_offset(const std::vector<std::filesystem::path>& bags, const Ba
                         const std::string& preset, BagReport& report) {
   const auto found = estimate_time_offset(bags, options, load_config(preset));
   if (!found) {
-    report.fact("up and down sweeps do not tell whether the laser's stamps are off");
+    report.fact("up and down sweeps do not show whether the laser's stamps are off");
     return;
   }
   const std::string total = number(options.intake.scan_time_offset_s + found->offset_s, 3);

@@ -13,21 +13,24 @@
 
 namespace ribbon_mapper {
 
+/// A time offset of the laser with its effect. The thickness of the planes is the root mean square
+/// distance of their points.
 struct TimeOffset {
   double offset_s = 0.0;         ///< to be added to the stamps of the scans
-  double thickness_m = 0.0;      ///< of the planes with it: root mean square distance of the points
-  double thickness_now_m = 0.0;  ///< of the planes as they are
+  double thickness_m = 0.0;      ///< of the planes with the offset
+  double thickness_now_m = 0.0;  ///< of the planes without it
 };
 
-/// The constant error of the laser's stamps. Where stamps are off, planes of an up sweep and of a
-/// down sweep lean apart; the offset that makes them the same leaves the thinnest planes. Looks at
-/// the first half minute. Nothing if that does not depend on the offset: the tilt stands still or
-/// turns one way only, or there are no planes.
+/// Estimates the constant error of the laser's stamps from the first half minute. If the stamps are
+/// off, planes of up sweeps and of down sweeps are tilted against each other. The right offset
+/// makes them agree, and so gives the thinnest planes. Returns nothing if the thickness does not
+/// depend on the offset: the tilt stands still or turns in one direction only, or there are no
+/// planes.
 std::optional<TimeOffset> estimate_time_offset(const std::vector<std::filesystem::path>& bags,
                                                const BagOptions& options,
                                                const ModelerConfig& config);
 
-/// The same in words; `preset` is a file. Throws what load_config() throws.
+/// Adds the estimate to a report; `preset` is a file. Throws what load_config() throws.
 void report_time_offset(const std::vector<std::filesystem::path>& bags, const BagOptions& options,
                         const std::string& preset, BagReport& report);
 

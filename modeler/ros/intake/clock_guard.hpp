@@ -6,15 +6,18 @@
 
 namespace ribbon_mapper {
 
-/// Notices that simulated time was set back: a bag or a simulation was started again.
+/// Simulated time that goes back by more than this was set back; less is jitter.
+constexpr double kMinTimeJump_s = 1.0;
+
+/// Notices when simulated time is set back because a bag or a simulation was started again.
 class ClockGuard {
  public:
-  /// True once per jump of more than a second. Never with wall time, where a small step back is
-  /// the clock being set right and no reason to forget anything.
+  /// Returns true once per jump. Always returns false with wall time, where a small step back only
+  /// adjusts the clock.
   bool went_back() {
     if (!ros::Time::isSimTime()) return false;
     const ros::Time now = ros::Time::now();
-    const bool back = now + ros::Duration(1.0) < newest_;
+    const bool back = now.toSec() + kMinTimeJump_s < newest_.toSec();
     if (back || now > newest_) newest_ = now;
     return back;
   }

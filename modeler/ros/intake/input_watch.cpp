@@ -12,6 +12,7 @@ namespace {
 
 constexpr double kClockTolerance_s = 60.0;
 
+/// Returns a time difference in seconds or days.
 std::string apart(double seconds) {
   const double days = std::abs(seconds) / 86400.0;
   if (days < 1.0) return std::to_string(std::llround(std::abs(seconds))) + " s";

@@ -12,21 +12,23 @@
 
 namespace ribbon_mapper {
 
-/// What is wrong with the clock, told from the newest scan's stamp: names the parameter or the
-/// option that is set wrongly. Nothing if they agree within a minute. A clock of zero: there is no
-/// /clock yet.
+/// Returns what is wrong with the clock, judged by the stamp of the newest scan; names the
+/// parameter or option that is set wrongly. Returns nothing if clock and stamp agree within a
+/// minute. A `clock` of zero means that there is no /clock yet.
 std::optional<std::string> clock_fault(bool use_sim_time, const ros::Time& clock,
                                        const ros::Time& newest_stamp);
 
-/// Says what the modeler is waiting for, so that nobody has to guess why there are no planes.
+/// Finds out what the modeler is waiting for, so that its users need not guess.
 class InputWatch {
  public:
+  /// Creates a watch for the laser's resolved topic.
   explicit InputWatch(std::string scan_topic) : scan_topic_(std::move(scan_topic)) {}
 
+  /// Takes note of a scan that came in.
   void saw(const sensor_msgs::LaserScan& scan);
 
-  /// What is missing, in words; empty if lines have come in since the last call and are not held
-  /// up. Asks the master who publishes scans when there are none.
+  /// Returns what is missing, in words. Returns an empty text if lines have come in since the last
+  /// call and are not held up. Asks the master who publishes scans if there are none.
   std::string complaint(const LineIntake& intake, std::size_t transforms);
 
  private:

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "modeler/ros/intake/line_intake.hpp"
 
+#include <utility>
+
 #include "modeler/ros/messages/message_conversions.hpp"
 
 namespace ribbon_mapper {
@@ -10,19 +12,38 @@ constexpr std::size_t kMaxWaiting = 5000;  // 25 s at five times real time; 10 M
 }  // namespace
 
 void LineIntake::add(const sensor_msgs::LaserScan& scan, const Moment& now) {
-  log_.received();
-  waiting_.push_back({find_defect(scan), beams_of(scan), without_slash(scan.header.frame_id), now});
-  WaitingLine& line = waiting_.back();
+  WaitingLine line{find_defect(scan), beams_of(scan), without_slash(scan.header.frame_id), now};
   line.beams.stamp += from_seconds(options_.scan_time_offset_s);
   if (!line.defect && line.beams.stamp <= Time(0)) line.defect = "stamp is zero";
+  admit_held(now);
+  const Run run = line.defect ? Run::current : sorter_.sort(scan.header.stamp);
+  if (run == Run::current) admit(std::move(line));
+  if (run == Run::next) held_.push_back(std::move(line));
+}
+
+void LineIntake::admit(WaitingLine line) {
+  log_.received();
+  waiting_.push_back(std::move(line));
   if (waiting_.size() > kMaxWaiting) drop_front("too many lines are waiting", waits_for_);
 }
 
-std::optional<ReadyLine> LineIntake::next(const tf2::BufferCore& tf, const Moment& now) {
+/// Admits lines held back once their run has begun, or when the clock shows no jump after all.
+void LineIntake::admit_held(const Moment& now) {
+  while (!held_.empty()) {
+    const double waited_s = (now.wall - held_.front().arrived.wall).toSec();
+    if (!held_are_current_ && waited_s < kMaxWaitForClock_s) break;
+    admit(std::move(held_.front()));
+    held_.pop_front();
+  }
+  held_are_current_ = false;
+}
+
+std::optional<ReadyLine> LineIntake::take_next(const tf2::BufferCore& tf, const Moment& now) {
+  admit_held(now);
   return take(tf, [&](const WaitingLine& line) { return expired(line, now); });
 }
 
-std::optional<ReadyLine> LineIntake::last(const tf2::BufferCore& tf) {
+std::optional<ReadyLine> LineIntake::take_next_at_end(const tf2::BufferCore& tf) {
   return take(tf, [](const WaitingLine&) { return true; });
 }
 
@@ -55,14 +76,25 @@ std::optional<ReadyLine> LineIntake::take(const tf2::BufferCore& tf, const Gives
 }
 
 void LineIntake::restart(const std::string& reason) {
+  if (held_are_current_) {
+    for (WaitingLine& line : std::exchange(held_, {})) admit(std::move(line));
+  }
+  held_are_current_ = false;
   for (std::size_t i = 0; i < waiting_.size(); ++i) log_.dropped(reason);
   waiting_.clear();
   waits_for_.clear();
   newest_ = done_ = Time(0);
 }
 
-/// Both clocks must have moved on: simulated time stops in a pause, in which nothing can come, and
-/// runs faster than wall time in a replay, when two processes need a moment all the same.
+void LineIntake::start_next_run(const std::string& reason) {
+  restart(reason);
+  sorter_.restart();
+  for (const WaitingLine& line : held_) sorter_.sort(stamp_of(line.beams.stamp));
+  held_are_current_ = true;
+}
+
+/// Requires both clocks to have advanced. Simulated time stops in a pause, when no transform can
+/// come; in a fast replay it runs ahead of the wall time that the processes need.
 bool LineIntake::expired(const WaitingLine& line, const Moment& now) const {
   return (now.wall - line.arrived.wall).toSec() > options_.transform_timeout_s &&
          (now.data - line.arrived.data).toSec() > options_.transform_timeout_s;

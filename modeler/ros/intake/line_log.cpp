@@ -6,7 +6,7 @@
 
 namespace ribbon_mapper {
 namespace {
-constexpr std::size_t kNewest = 1 << 15;  // 14 minutes at 40 Hz
+constexpr std::size_t kNewest = 1 << 15;  // lines: 14 minutes at 40 Hz
 }  // namespace
 
 void LineLog::handled(const std::string& outcome, double seconds) {

@@ -9,25 +9,34 @@
 
 namespace ribbon_mapper {
 
-/// What became of the lines, and how long they took.
+/// Statistics of the scan lines: how many came, what became of them, how long they took.
 class LineLog {
  public:
+  /// Counts a line that came in.
   void received() { ++received_; }
-  /// `detail` is for people: what exactly was wrong with this one.
+  /// Counts a line that never reached the model. `detail` tells people what was wrong with it.
   void dropped(const std::string& reason, const std::string& detail = "") {
     ++dropped_[reason];
     newest_drop_ = detail.empty() ? reason : reason + " (" + detail + ")";
   }
-  /// A line that reached the model; `outcome` as the modeler names it.
+  /// Counts a line that reached the model and the time that it took; see to_string(LineResult) for
+  /// `outcome`.
   void handled(const std::string& outcome, double seconds);
 
+  /// Returns the number of lines that came in.
   std::size_t lines() const { return received_; }
+  /// Returns the number of lines dropped.
   std::size_t dropped_lines() const;
+  /// Returns reason and detail of the newest drop; empty if there was none.
   const std::string& newest_drop() const { return newest_drop_; }
+  /// Returns the number of lines dropped for each reason.
   const std::map<std::string, std::size_t>& dropped_by_reason() const { return dropped_; }
+  /// Returns the number of lines with each outcome.
   const std::map<std::string, std::size_t>& handled_by_outcome() const { return handled_; }
-  double busy_s() const { return busy_s_; }  ///< computing, all in all
-  double median_line_us() const;             ///< of the newest lines
+  /// Returns the total computing time of all lines.
+  double busy_s() const { return busy_s_; }
+  /// Returns the median computing time of the newest lines; 0 before the first.
+  double median_line_us() const;
 
  private:
   std::size_t received_ = 0;

@@ -6,12 +6,10 @@
 
 #include <utility>
 
-#include "modeler/ros/messages/transform_entry.hpp"
-
 namespace ribbon_mapper {
 
-TfFeed::TfFeed(ros::NodeHandle& node, double cache_s, std::set<std::string> drop_frames)
-    : buffer_(ros::Duration(cache_s)), drop_frames_(std::move(drop_frames)) {
+TfFeed::TfFeed(ros::NodeHandle& node, TransformBuffer& buffer, std::function<void()> check_clock)
+    : buffer_(buffer), check_clock_(std::move(check_clock)) {
   const auto no_delay = ros::TransportHints().tcpNoDelay();
   const boost::function<void(const tf2_msgs::TFMessage&)> take_moving =
       [this](const tf2_msgs::TFMessage& message) { take(message, false); };
@@ -22,10 +20,8 @@ TfFeed::TfFeed(ros::NodeHandle& node, double cache_s, std::set<std::string> drop
 }
 
 void TfFeed::take(const tf2_msgs::TFMessage& message, bool is_static) {
-  // tf2 refuses what is older than its newest data less the cache, so a new start needs it empty.
-  if (clock_.went_back()) buffer_.clear();
-  transforms_ += message.transforms.size();
-  const std::size_t refused = enter_transforms(message, is_static, drop_frames_, buffer_);
+  check_clock_();
+  const std::size_t refused = buffer_.add(message, is_static);
   if (refused > 0) ROS_WARN_THROTTLE(10.0, "%zu transforms on /tf are not usable.", refused);
 }
 

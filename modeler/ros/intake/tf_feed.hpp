@@ -4,35 +4,30 @@
 
 #include <ros/node_handle.h>
 #include <ros/subscriber.h>
-#include <tf2/buffer_core.h>
 #include <tf2_msgs/TFMessage.h>
 
-#include <set>
-#include <string>
+#include <functional>
 
-#include "modeler/ros/intake/clock_guard.hpp"
+#include "modeler/ros/intake/transform_buffer.hpp"
 
 namespace ribbon_mapper {
 
-/// Fills a tf2 buffer from /tf and /tf_static. tf2_ros::TransformListener does so in a thread of
-/// its own with a queue of 100 messages; this one is served with all other callbacks, in order of
-/// arrival, and its queue outlasts a correction that takes seconds, even at several times real
-/// time.
+/// Fills a TransformBuffer from /tf and /tf_static.
+///
+/// tf2_ros::TransformListener does so in a thread of its own with a queue of 100 messages. This
+/// class is served with all other callbacks of the node, in order of arrival. Its queue is long
+/// enough for a correction of several seconds, even at several times real time.
 class TfFeed {
  public:
-  /// Transforms whose parent is one of `drop_frames` are left out, see enter_transforms().
-  TfFeed(ros::NodeHandle& node, double cache_s, std::set<std::string> drop_frames);
-
-  const tf2::BufferCore& buffer() const { return buffer_; }
-  std::size_t transforms() const { return transforms_; }  ///< that came in
+  /// Subscribes. `buffer` must outlive this object; `check_clock` is called before each message, so
+  /// that a time jump is noticed before its transforms.
+  TfFeed(ros::NodeHandle& node, TransformBuffer& buffer, std::function<void()> check_clock);
 
  private:
   void take(const tf2_msgs::TFMessage& message, bool is_static);
 
-  tf2::BufferCore buffer_;
-  std::set<std::string> drop_frames_;
-  std::size_t transforms_ = 0;
-  ClockGuard clock_;
+  TransformBuffer& buffer_;
+  std::function<void()> check_clock_;
   ros::Subscriber moving_, fixed_;
 };
 

@@ -7,14 +7,15 @@
 
 namespace ribbon_mapper {
 
-/// What to do when simulated time goes back: a bag loops, a simulation is started again.
+/// What the modeler does when simulated time is set back: a bag loops, a simulation starts again.
 enum class OnTimeJump {
-  reset,  ///< the model starts anew
-  stop,   ///< the model stays and takes no more lines until ~reset
-  go_on,  ///< the model stays; lines are taken again once they are later than its newest
+  reset,  ///< empties the model
+  stop,   ///< keeps the model and takes no more lines until ~reset
+  go_on,  ///< keeps the model and takes lines again once they are later than its newest
 };
 
-/// Throws std::invalid_argument naming the three choices.
+/// Returns the choice that a parameter names. Throws std::invalid_argument that lists the three
+/// names.
 inline OnTimeJump on_time_jump_from(const std::string& name) {
   if (name == "reset") return OnTimeJump::reset;
   if (name == "stop") return OnTimeJump::stop;
@@ -23,10 +24,11 @@ inline OnTimeJump on_time_jump_from(const std::string& name) {
                               "', allowed are reset, stop and continue");
 }
 
+/// Returns the consequence of a choice, for the log.
 inline const char* what_happens_on(OnTimeJump choice) {
   switch (choice) {
     case OnTimeJump::reset:
-      return "the model starts anew (~on_time_jump reset)";
+      return "the model is empty again (~on_time_jump reset)";
     case OnTimeJump::stop:
       return "the model stays and takes no lines until ~reset";
     case OnTimeJump::go_on:

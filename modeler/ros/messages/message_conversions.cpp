@@ -8,8 +8,8 @@
 namespace ribbon_mapper {
 namespace {
 
-constexpr double kLongestSweep_s = 10.0;
-/// ros::Time holds 32 bits of seconds, and throws beyond.
+constexpr double kMaxDuration_s = 10.0;  // of a scan
+/// ros::Time has 32 bits for seconds and throws on overflow.
 constexpr std::uint32_t kLatestStamp_s = 0xffffffffu - 60u;
 
 template <typename Vector, typename Quaternion>
@@ -103,12 +103,12 @@ std::optional<std::string> find_defect(const sensor_msgs::LaserScan& scan) {
   if (scan.header.frame_id.empty()) return "frame is empty";
   if (scan.ranges.empty()) return "no ranges";
   const double count = static_cast<double>(scan.ranges.size());
-  // Drivers differ in whether angle_max is the last beam's angle or the one after it.
+  // In some drivers angle_max is the angle of the last beam, in others that of the one after it.
   const double beams =
       (scan.angle_max - scan.angle_min) / static_cast<double>(scan.angle_increment);
   if (!(std::abs(beams + 1.0 - count) <= 1.5)) return "number of ranges does not fit the angles";
-  const double sweep_s = scan.time_increment * (count - 1.0);
-  if (!(sweep_s >= 0.0 && sweep_s < kLongestSweep_s)) return "time_increment is out of range";
+  const double duration_s = scan.time_increment * (count - 1.0);
+  if (!(duration_s >= 0.0 && duration_s < kMaxDuration_s)) return "time_increment is out of range";
   return std::nullopt;
 }
 

@@ -18,31 +18,42 @@
 
 namespace ribbon_mapper {
 
+/// Returns a stamp of ROS as a time.
 Time time_of(const ros::Time& stamp);
+/// Returns a time as a stamp of ROS.
 ros::Time stamp_of(Time time);
 
-/// Bags of before tf2 have frames with a leading slash, which tf2 refuses.
+/// Returns the name of a frame without its leading slash, which tf2 refuses. Old bags have it.
 std::string without_slash(const std::string& frame);
 
+/// Returns a transform as a pose; its quaternion need not have unit length.
 Pose pose_of(const geometry_msgs::Transform& transform);
 
-/// Nothing if a number is not finite or the quaternion is further than 1 % from unit length.
+/// Returns a pose; nothing if a number is not finite or the length of the quaternion is more than
+/// 1 % off.
 std::optional<Pose> pose_of(const geometry_msgs::Pose& message);
 
+/// Returns a pose as a message.
 geometry_msgs::Pose pose_message(const Pose& pose);
+/// Returns a pose as a transform.
 geometry_msgs::Transform transform_message(const Pose& pose);
+/// Returns a point as a message.
 geometry_msgs::Point point_message(const Eigen::Vector3d& point);
+/// Returns a vector as a message.
 geometry_msgs::Vector3 vector_message(const Eigen::Vector3d& vector);
 
-/// What is wrong with a scan as a message; nothing if its beams can be looked at.
+/// Returns what is wrong with a scan; nothing if its beams can be used.
 std::optional<std::string> find_defect(const sensor_msgs::LaserScan& scan);
+/// Returns the beams of a scan.
 LaserBeams beams_of(const sensor_msgs::LaserScan& scan);
 
+/// Returns a trajectory as a path in `frame`, stamped `stamp`; each pose keeps its own stamp.
 nav_msgs::Path path_message(const std::vector<StampedPose>& trajectory, const std::string& frame,
                             Time stamp);
 
-/// Poses with their own stamps. Throws std::invalid_argument that says what is wrong if the path is
-/// empty or not in `frame`, or if a pose is not finite or not later than the one before.
+/// Returns the poses of a path with their own stamps. Throws std::invalid_argument that says what
+/// is wrong if the path is empty or not in `frame`, or if a pose is not finite or not later than
+/// the one before.
 std::vector<StampedPose> trajectory_of(const nav_msgs::Path& path, const std::string& frame);
 
 }  // namespace ribbon_mapper

@@ -11,7 +11,8 @@
 namespace ribbon_mapper {
 namespace {
 
-/// White shows only where the model has moved: where it has not, the colour lies before it.
+/// White planes lie this far behind coloured ones, so that they show only where the model has
+/// moved.
 constexpr double kWhiteBehind_m = 0.02;
 
 visualization_msgs::Marker triangles(const std_msgs::Header& header, const std::string& ns,
@@ -26,8 +27,9 @@ visualization_msgs::Marker triangles(const std_msgs::Header& header, const std::
   return marker;
 }
 
-/// Both sides alike, brighter the more a surface looks up or along one diagonal. rviz itself leaves
-/// whatever looks away from its lamp black; with a colour for each triangle it uses no lamp.
+/// Returns the colour of a surface, brighter the more it faces up or one diagonal; both sides
+/// alike. rviz applies no light of its own to triangles with colours; it would leave back sides
+/// black.
 std_msgs::ColorRGBA shaded(const Colour& colour, const Eigen::Vector3d& normal) {
   const double shade = 0.66 + 0.34 * std::abs(normal.dot(Eigen::Vector3d(0.3, 0.6, 0.74)));
   std_msgs::ColorRGBA message;
@@ -38,13 +40,13 @@ std_msgs::ColorRGBA shaded(const Colour& colour, const Eigen::Vector3d& normal) 
   return message;
 }
 
-/// `behind_m`: how far behind its front the surface is drawn.
-void add_surface(const Plane& plane, const Colour& colour, double behind_m,
+/// Adds the surface of a plane to a marker, drawn `behind_m` behind its front.
+void add_surface(const Plane& plane, double stripe_gap_m, const Colour& colour, double behind_m,
                  visualization_msgs::Marker& marker) {
   const std_msgs::ColorRGBA shade = shaded(colour, plane.normal);
   const Eigen::Vector3d shift = -behind_m * plane.normal;
   const auto corner = [&](int u, int v) { return point_message(grid_corner(plane, u, v) + shift); };
-  for (const CellRectangle& r : surface_rectangles(plane)) {
+  for (const CellRectangle& r : surface_rectangles(plane, stripe_gap_m)) {
     const geometry_msgs::Point a = corner(r.u_begin, r.v_begin), b = corner(r.u_end, r.v_begin);
     const geometry_msgs::Point c = corner(r.u_end, r.v_end), d = corner(r.u_begin, r.v_end);
     marker.points.insert(marker.points.end(), {a, b, c, a, c, d});
@@ -65,12 +67,13 @@ std::size_t hash_of(const visualization_msgs::Marker& marker) {
 }  // namespace
 
 visualization_msgs::MarkerArray PlaneMarkers::changes(const std::vector<Plane>& planes,
+                                                      double stripe_gap_m,
                                                       const std_msgs::Header& header) {
   visualization_msgs::MarkerArray array;
   std::map<std::int64_t, std::size_t> now;
   for (const Plane& plane : planes) {
     visualization_msgs::Marker marker = triangles(header, "planes", plane.id);
-    add_surface(plane, plane_colour(plane.id), 0.0, marker);
+    add_surface(plane, stripe_gap_m, plane_colour(plane.id), 0.0, marker);
     if (marker.points.empty()) continue;  // rviz complains about a marker without points
     const std::size_t hash = now[plane.id] = hash_of(marker);
     const auto sent = sent_.find(plane.id);
@@ -85,10 +88,11 @@ visualization_msgs::MarkerArray PlaneMarkers::changes(const std::vector<Plane>& 
   return array;
 }
 
-visualization_msgs::MarkerArray white_markers(const std::vector<Plane>& planes,
+visualization_msgs::MarkerArray white_markers(const std::vector<Plane>& planes, double stripe_gap_m,
                                               const std_msgs::Header& header) {
   visualization_msgs::Marker marker = triangles(header, "before_correction", 0);
-  for (const Plane& plane : planes) add_surface(plane, {255, 255, 255}, kWhiteBehind_m, marker);
+  for (const Plane& plane : planes)
+    add_surface(plane, stripe_gap_m, {255, 255, 255}, kWhiteBehind_m, marker);
   for (std_msgs::ColorRGBA& colour : marker.colors) colour.a = 0.6F;
   if (marker.points.empty()) marker.action = visualization_msgs::Marker::DELETE;
   visualization_msgs::MarkerArray array;

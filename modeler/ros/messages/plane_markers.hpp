@@ -13,23 +13,24 @@
 
 namespace ribbon_mapper {
 
-/// Planes for rviz: a TRIANGLE_LIST per plane, in its colour. Only what has changed is sent again,
-/// for rviz rebuilds whatever it gets.
+/// Markers of the planes for rviz: a TRIANGLE_LIST for each plane, in its colour. Only changes are
+/// sent, because rviz rebuilds everything that it receives.
 class PlaneMarkers {
  public:
-  /// What has changed since the last call; planes that are gone are deleted.
-  visualization_msgs::MarkerArray changes(const std::vector<Plane>& planes,
+  /// Returns the changes since the last call; planes that are gone are deleted. Stripes between
+  /// scan lines of up to `stripe_gap_m` are closed.
+  visualization_msgs::MarkerArray changes(const std::vector<Plane>& planes, double stripe_gap_m,
                                           const std_msgs::Header& header);
-  /// The next call sends all: somebody new listens.
+  /// Makes the next call return all planes, for a new subscriber.
   void forget() { sent_.clear(); }
 
  private:
   std::map<std::int64_t, std::size_t> sent_;  ///< hash of what was sent
 };
 
-/// All planes in white as one marker: the model as it was before a correction. No planes: delete
-/// it.
-visualization_msgs::MarkerArray white_markers(const std::vector<Plane>& planes,
+/// Returns all planes in white as one marker: the model before a correction. Deletes the marker if
+/// there are no planes. Stripes between scan lines of up to `stripe_gap_m` are closed.
+visualization_msgs::MarkerArray white_markers(const std::vector<Plane>& planes, double stripe_gap_m,
                                               const std_msgs::Header& header);
 
 }  // namespace ribbon_mapper

@@ -12,10 +12,11 @@
 
 namespace ribbon_mapper {
 
+/// Returns planes as a message, on request with the centres of their cells.
 PlaneArray plane_array_message(const std::vector<Plane>& planes, const std_msgs::Header& header,
                                std::size_t revision, bool with_cells);
 
-/// Centres of the seen cells: x, y, z and rgb, the colour of their plane.
+/// Returns the centres of the seen cells: x, y, z and rgb, the colour of their plane.
 sensor_msgs::PointCloud2 cell_cloud(const std::vector<Plane>& planes,
                                     const std_msgs::Header& header);
 

@@ -11,7 +11,7 @@
 namespace ribbon_mapper {
 namespace {
 
-/// What tf2 would refuse with a message of its own for each.
+/// Returns whether tf2 can use a transform. It would print a message for each that it refuses.
 bool is_usable(const geometry_msgs::TransformStamped& transform) {
   const geometry_msgs::Vector3& t = transform.transform.translation;
   const geometry_msgs::Quaternion& q = transform.transform.rotation;

@@ -10,14 +10,14 @@
 
 namespace ribbon_mapper {
 
-/// Enters transforms into a buffer, leading slashes stripped. Those whose parent is one of
-/// `drop_frames` are left out: with `map`, a recorded localisation does not fight one that runs
-/// now. Returns how many were not usable: not finite, no unit quaternion, a frame in itself, or too
+/// Enters transforms into a buffer without leading slashes. Leaves out those whose parent is one of
+/// `drop_frames`: with `map`, a recorded localisation does not conflict with one that runs now.
+/// Returns how many were unusable: not finite, no unit quaternion, child equal to parent, or too
 /// old.
 std::size_t enter_transforms(const tf2_msgs::TFMessage& message, bool is_static,
                              const std::set<std::string>& drop_frames, tf2::BufferCore& buffer);
 
-/// Frame names in a text, parted by spaces or commas; leading slashes stripped.
+/// Returns the frames in a list separated by spaces or commas, without leading slashes.
 std::set<std::string> frames_from(const std::string& list);
 
 }  // namespace ribbon_mapper

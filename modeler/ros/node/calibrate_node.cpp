@@ -11,6 +11,7 @@
 #include "modeler/io/atomic_file.hpp"
 #include "modeler/io/calibrated_preset.hpp"
 #include "modeler/io/config_file.hpp"
+#include "modeler/ros/intake/clock_guard.hpp"
 #include "modeler/ros/intake/line_intake.hpp"
 #include "modeler/ros/intake/tf_feed.hpp"
 #include "modeler/ros/messages/message_conversions.hpp"
@@ -19,6 +20,8 @@
 
 namespace ribbon_mapper {
 namespace {
+
+constexpr double kTfCache_s = 120.0;
 
 struct NodeParameters {
   ModelerConfig config;
@@ -47,14 +50,15 @@ struct NodeParameters {
 };
 
 /// Learns the tolerances (section 5.1 of the paper) while the robot first stands before a bare wall
-/// and then moves in front of it: until it has driven ~travel, the simulated tour has ended, or
-/// somebody calls ~finish.
+/// and then moves in front of it. Ends when it has driven ~travel, when the simulated tour has
+/// ended, or when somebody calls ~finish.
 class CalibrateNode {
  public:
   explicit CalibrateNode(const NodeParameters& parameters)
       : parameters_(parameters),
         intake_(parameters.intake, log_),
-        tf_(node_, 120.0, parameters.tf_drop_frames),
+        tf_(kTfCache_s, parameters.tf_drop_frames),
+        tf_feed_(node_, tf_, [this] { check_clock(); }),
         calibrator_(parameters.config) {
     create_directory_for_files(parameters.output.parent_path());  // better now than after the drive
     finish_ = private_node_.advertiseService("finish", &CalibrateNode::on_finish, this);
@@ -69,14 +73,26 @@ class CalibrateNode {
   bool is_done() const { return is_done_; }
 
  private:
+  /// Starts again when simulated time was set back: lines of two runs do not fit one trajectory.
+  void check_clock() {
+    if (!clock_.went_back()) return;
+    tf_.start_next_run();
+    intake_.start_next_run("the clock was set back");
+    log_ = {};
+    calibrator_ = Calibrator(parameters_.config);
+    ROS_WARN("Simulated time went back: the calibration starts again");
+  }
+
   void on_scan(const sensor_msgs::LaserScan& scan) {
+    check_clock();
     intake_.add(scan, Moment::now());
     take_lines();
   }
 
   void take_lines() {
+    check_clock();
     const Moment now = Moment::now();
-    while (const std::optional<ReadyLine> line = intake_.next(tf_.buffer(), now)) {
+    while (const std::optional<ReadyLine> line = intake_.take_next(tf_.core(), now)) {
       calibrator_.add(line->beams, line->poses);
     }
     const bool is_over = tour_is_over_ && intake_.waiting() == 0;
@@ -128,7 +144,9 @@ class CalibrateNode {
   ros::NodeHandle node_, private_node_{"~"};
   LineLog log_;
   LineIntake intake_;
-  TfFeed tf_;
+  ClockGuard clock_;
+  TransformBuffer tf_;
+  TfFeed tf_feed_;
   Calibrator calibrator_;
   bool tour_is_over_ = false, is_done_ = false;
   ros::ServiceServer finish_;

@@ -2,8 +2,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "modeler/ros/node/model_keeper.hpp"
 
-#include <ros/console.h>
-
 #include "modeler/program/stopwatch.hpp"
 
 namespace ribbon_mapper {
@@ -14,7 +12,6 @@ void ModelKeeper::add(const ReadyLine& line) {
       wall_seconds_of([&] { result = modeler_.add_scan_line(line.beams, line.poses); });
   if (result == LineResult::malformed || result == LineResult::out_of_order) {
     log_.dropped(to_string(result));
-    ROS_WARN_THROTTLE(5.0, "A line is dropped: it is %s.", to_string(result));
     return;
   }
   log_.handled(to_string(result), seconds);
@@ -41,9 +38,9 @@ void ModelKeeper::reset() {
 }
 
 const std::vector<Plane>& ModelKeeper::planes() {
-  if (merged_version_ != version_) merged_ = modeler_.planes();
-  merged_version_ = version_;
-  return merged_;
+  if (planes_version_ != version_) planes_ = modeler_.planes();
+  planes_version_ = version_;
+  return planes_;
 }
 
 double ModelKeeper::real_time_factor() const {

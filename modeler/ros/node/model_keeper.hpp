@@ -12,39 +12,54 @@
 
 namespace ribbon_mapper {
 
-/// The model with all that the node says about it: how it was before the last correction, what
-/// became of the lines, how long things took.
+/// The model with its history: the state before the last correction, what became of the lines, and
+/// how long the work took.
 class ModelKeeper {
  public:
-  explicit ModelKeeper(const ModelerConfig& config) : modeler_(config) {}
+  /// Creates an empty model. Throws std::invalid_argument as Modeler does.
+  explicit ModelKeeper(const ModelerConfig& config)
+      : modeler_(config), stripe_gap_m_(config.surface.stripe_gap_m) {}
 
+  /// Adds a line to the model and its outcome to the log.
   void add(const ReadyLine& line);
-  /// Throws as Modeler::correct() does; the model, and how it was before, then stay as they were.
+  /// Corrects the model and keeps its state before. Throws as Modeler::correct() does; the model
+  /// and the state before then stay as they were.
   void correct(const std::vector<StampedPose>& trajectory);
+  /// Empties the model, the log and the state before the correction.
   void reset();
 
+  /// Returns the model.
   const Modeler& modeler() const { return modeler_; }
+  /// Returns SurfaceConfig::stripe_gap_m, for meshes and markers.
+  double stripe_gap_m() const { return stripe_gap_m_; }
+  /// Returns the statistics of the lines.
   LineLog& log() { return log_; }
-  const LineLog& log() const { return log_; }
+  const LineLog& log() const { return log_; }  ///< the same, to be read
 
-  /// Counts every change of the model, to know whether there is anything new to say.
+  /// Returns a number that every change of the model increases.
   std::size_t version() const { return version_; }
-  const std::vector<Plane>& planes();  ///< computed once per version
+  /// Returns the final planes. Evaluates the whole model if it has changed since the last call.
+  const std::vector<Plane>& planes();
 
+  /// The state just before the last correction.
   struct Before {
-    std::vector<Plane> planes, planes;
-    std::vector<StampedPose> trajectory;
+    std::vector<Plane> planes_as_built;   ///< see Modeler::planes_as_built()
+    std::vector<Plane> planes;            ///< see Modeler::planes()
+    std::vector<StampedPose> trajectory;  ///< acquisition poses
   };
+  /// Returns the state just before the last correction; empty if there was none.
   const Before& before() const { return before_; }
-  double correction_ms() const { return correction_ms_; }  ///< 0: there was none
-  /// Seconds that the laser took for the lines per second that the model took.
+  /// Returns how long the last correction took; 0 if there was none.
+  double correction_ms() const { return correction_ms_; }
+  /// Returns the seconds of data that the model takes per second of computing.
   double real_time_factor() const;
 
  private:
   Modeler modeler_;
+  double stripe_gap_m_;
   LineLog log_;
-  std::size_t version_ = 1, merged_version_ = 0;
-  std::vector<Plane> merged_;
+  std::size_t version_ = 1, planes_version_ = 0;
+  std::vector<Plane> planes_;  ///< of planes_version_
   Before before_;
   double correction_ms_ = 0.0;
   Time last_stamp_{0};

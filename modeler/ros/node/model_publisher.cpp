@@ -11,7 +11,7 @@ namespace ribbon_mapper {
 
 ModelPublisher::ModelPublisher(ros::NodeHandle& private_node, std::string map_frame)
     : map_frame_(std::move(map_frame)) {
-  // A new listener gets all with the next call; what is latched may be as old as the last listener.
+  // A new subscriber gets everything with the next call: a latched message may be outdated.
   const ros::SubscriberStatusCallback greet = [this](const ros::SingleSubscriberPublisher&) {
     all_again_ = true;
   };
@@ -19,7 +19,7 @@ ModelPublisher::ModelPublisher(ros::NodeHandle& private_node, std::string map_fr
     return private_node.advertise<decltype(message)>(topic, 2, greet, {}, {}, latch);
   };
   planes_ = advertise(PlaneArray(), "planes", true);
-  // Not latched: the last message holds the last changes only.
+  // Not latched: the last message has only the last changes.
   markers_ = advertise(visualization_msgs::MarkerArray(), "markers", false);
   markers_before_ = advertise(visualization_msgs::MarkerArray(), "markers_before", true);
   cloud_ = advertise(sensor_msgs::PointCloud2(), "cloud", true);
@@ -53,12 +53,13 @@ void ModelPublisher::publish_planes(ModelKeeper& keeper) {
   const std::vector<Plane>& planes = keeper.planes();
   const std::size_t revision = keeper.modeler().statistics().revision;
   if (wanted(planes_)) planes_.publish(plane_array_message(planes, header(), revision, false));
-  if (wanted(markers_)) markers_.publish(plane_markers_.changes(planes, header()));
+  if (wanted(markers_))
+    markers_.publish(plane_markers_.changes(planes, keeper.stripe_gap_m(), header()));
   if (wanted(cloud_)) cloud_.publish(cell_cloud(planes, header()));
 }
 
 void ModelPublisher::publish_before(const ModelKeeper& keeper) {
-  markers_before_.publish(white_markers(keeper.before().planes, header()));
+  markers_before_.publish(white_markers(keeper.before().planes, keeper.stripe_gap_m(), header()));
   trajectory_before_.publish(path_message(keeper.before().trajectory, map_frame_, Time(0)));
 }
 

@@ -13,17 +13,17 @@
 namespace ribbon_mapper {
 
 /// Publishes the model on ~planes, ~markers, ~markers_before, ~cloud, ~trajectory and
-/// ~trajectory_before: what has changed, and only while somebody listens.
+/// ~trajectory_before. Publishes only changes, and planes only while somebody subscribes to them.
 class ModelPublisher {
  public:
+  /// Advertises the topics.
   ModelPublisher(ros::NodeHandle& private_node, std::string map_frame);
 
-  /// To be called about once a second. `done`: stamp of the last line that was dealt with; it
-  /// stamps the trajectory, so that a listener knows how far the model is.
+  /// Publishes what has changed since the last call; to be called about once a second. `done` is
+  /// the stamp of the last line handled: it stamps the trajectory and shows how far the model is.
   void publish(ModelKeeper& keeper, Time done);
 
  private:
-  ros::Publisher advertise_markers(ros::NodeHandle& node);
   std_msgs::Header header() const;
   void publish_planes(ModelKeeper& keeper);
   void publish_before(const ModelKeeper& keeper);
@@ -33,7 +33,7 @@ class ModelPublisher {
   PlaneMarkers plane_markers_;
   std::size_t version_ = 0, revision_ = 0;
   Time done_{-1};
-  bool all_again_ = true;  ///< somebody new listens
+  bool all_again_ = true;  ///< for a new subscriber
 };
 
 }  // namespace ribbon_mapper

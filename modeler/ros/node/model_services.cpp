@@ -12,11 +12,11 @@ namespace {
 
 std::vector<Plane> planes_asked_for(const GetModel::Request& request, ModelKeeper& keeper) {
   if (request.which == GetModel::Request::BEFORE_CORRECTION)
-    return request.merged ? keeper.before().planes : keeper.before().planes;
-  return request.merged ? keeper.planes() : keeper.modeler().planes_as_built();
+    return request.as_built ? keeper.before().planes_as_built : keeper.before().planes;
+  return request.as_built ? keeper.modeler().planes_as_built() : keeper.planes();
 }
 
-/// Empty: nothing is wrong with the request.
+/// Returns what is wrong with the request; empty if nothing is.
 std::string find_defect(const GetModel::Request& request, std::size_t revision) {
   if (request.which > GetModel::Request::BEFORE_CORRECTION)
     return "which must be CURRENT (0) or BEFORE_CORRECTION (1)";
@@ -55,7 +55,8 @@ Save::Response save_response(const std::string& name, ModelKeeper& keeper,
     check_save_name(name);
     const std::vector<Plane>& planes = keeper.planes();
     response.message = std::to_string(planes.size()) + " planes written to";
-    for (const std::filesystem::path& file : save_model(planes, directory, name))
+    for (const std::filesystem::path& file :
+         save_model(planes, directory, name, keeper.stripe_gap_m()))
       response.message += " " + file.string();
     response.success = true;
   } catch (const std::exception& error) {

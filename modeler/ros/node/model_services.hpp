@@ -12,11 +12,13 @@
 
 namespace ribbon_mapper {
 
-/// Answers ~get_model.
+/// Returns the answer to ~get_model. A request that cannot be met gets success = false and a
+/// reason.
 GetModel::Response model_response(const GetModel::Request& request, ModelKeeper& keeper,
                                   const std::string& map_frame);
 
-/// Answers ~save: the merged planes as files below `directory`.
+/// Writes the final planes as files below `directory` and returns the answer to ~save. Errors are
+/// part of the answer.
 Save::Response save_response(const std::string& name, ModelKeeper& keeper,
                              const std::filesystem::path& directory);
 

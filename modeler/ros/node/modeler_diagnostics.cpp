@@ -15,7 +15,7 @@ using diagnostic_updater::DiagnosticStatusWrapper;
 
 double megabytes(double bytes) { return bytes / 1e6; }
 
-/// Resident memory of this process; 0 where /proc is missing.
+/// Returns the resident memory of this process; 0 where /proc is missing.
 double resident_bytes() {
   std::ifstream statm("/proc/self/statm");
   double all_pages = 0.0, resident_pages = 0.0;
@@ -66,7 +66,8 @@ void ModelerDiagnostics::model(DiagnosticStatusWrapper& status) {
   status.addf("real-time factor", "%.1f", factor);
   status.addf("median time of a line [us]", "%.0f", keeper_.log().median_line_us());
   status.addf("last correction [ms]", "%.1f", keeper_.correction_ms());
-  if (reports_++ % 10 == 0) model_bytes_ = keeper_.modeler().memory_bytes();  // takes a while
+  if (reports_++ % 10 == 0)
+    model_bytes_ = keeper_.modeler().memory_bytes();  // slow, so not each time
   status.addf("model [MB]", "%.1f", megabytes(static_cast<double>(model_bytes_)));
   status.addf("process [MB]", "%.1f", megabytes(resident_bytes()));
 }

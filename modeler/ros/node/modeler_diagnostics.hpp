@@ -11,11 +11,13 @@
 
 namespace ribbon_mapper {
 
-/// How the modeler fares, on /diagnostics: lines in, lines dropped by reason, real-time factor and
-/// memory. Both arguments must outlive it.
+/// Reports the state of the modeler on /diagnostics: lines received, lines dropped by reason,
+/// real-time factor and memory.
 class ModelerDiagnostics {
  public:
+  /// Advertises the topic. `keeper` and `intake` must outlive this object.
   ModelerDiagnostics(const ModelKeeper& keeper, const LineIntake& intake, std::string scan_topic);
+  /// Publishes the present state.
   void publish() { updater_.force_update(); }
 
  private:

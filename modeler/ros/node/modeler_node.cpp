@@ -22,6 +22,8 @@
 namespace ribbon_mapper {
 namespace {
 
+constexpr const char* kStopped = "time went back, ~reset is awaited";
+
 struct NodeParameters {
   ModelerConfig config;
   IntakeOptions intake;
@@ -50,7 +52,7 @@ struct NodeParameters {
   }
 };
 
-/// The modeler on ROS. All callbacks are served by one thread, none of them waits.
+/// Runs the modeler on ROS. One thread serves all callbacks; none of them blocks.
 class ModelerNode {
  public:
   explicit ModelerNode(const NodeParameters& parameters);
@@ -61,16 +63,20 @@ class ModelerNode {
   bool on_reset(std_srvs::Trigger::Request&, std_srvs::Trigger::Response& response);
   bool on_save(Save::Request& request, Save::Response& response);
   bool on_get_model(GetModel::Request& request, GetModel::Response& response);
+  void check_clock();
+  void on_time_jump();
+  void empty_model();
   void take_lines();
   void report();
-  void on_time_jump();
+  void warn_of_drops();
 
   NodeParameters parameters_;
   ros::NodeHandle node_, private_node_{"~"};
   ModelKeeper keeper_;
   LineIntake intake_;
   ClockGuard clock_;
-  TfFeed tf_;
+  TransformBuffer tf_;
+  TfFeed tf_feed_;
   ModelPublisher publisher_;
   ModelerDiagnostics diagnostics_;
   ros::ServiceServer reset_, save_, get_model_;
@@ -85,7 +91,8 @@ ModelerNode::ModelerNode(const NodeParameters& parameters)
     : parameters_(parameters),
       keeper_(parameters.config),
       intake_(parameters.intake, keeper_.log()),
-      tf_(node_, parameters.tf_cache_s, parameters.tf_drop_frames),
+      tf_(parameters.tf_cache_s, parameters.tf_drop_frames),
+      tf_feed_(node_, tf_, [this] { check_clock(); }),
       publisher_(private_node_, parameters.intake.frames.map),
       diagnostics_(keeper_, intake_, node_.resolveName("scan")),
       watch_(node_.resolveName("scan")) {
@@ -94,7 +101,8 @@ ModelerNode::ModelerNode(const NodeParameters& parameters)
   get_model_ = private_node_.advertiseService("get_model", &ModelerNode::on_get_model, this);
   corrected_trajectory_ =
       node_.subscribe("corrected_trajectory", 2, &ModelerNode::on_corrected_trajectory, this);
-  // Last, so that all else is ready for the first line; long, so that a correction loses none.
+  // Subscribed last, so that everything is ready for the first line. The queue is long, so that no
+  // line is lost during a correction.
   scan_ = node_.subscribe("scan", 5000, &ModelerNode::on_scan, this);
   line_timer_ = node_.createWallTimer(ros::WallDuration(0.02),
                                       [this](const ros::WallTimerEvent&) { take_lines(); });
@@ -103,21 +111,18 @@ ModelerNode::ModelerNode(const NodeParameters& parameters)
 }
 
 void ModelerNode::on_scan(const sensor_msgs::LaserScan& scan) {
-  if (clock_.went_back()) on_time_jump();
+  check_clock();
   watch_.saw(scan);
-  if (stopped_) return;
   intake_.add(scan, Moment::now());
+  if (stopped_) intake_.restart(kStopped);
   take_lines();
 }
 
 void ModelerNode::take_lines() {
-  if (clock_.went_back()) on_time_jump();
+  check_clock();
   const Moment now = Moment::now();
-  while (const std::optional<ReadyLine> line = intake_.next(tf_.buffer(), now)) keeper_.add(*line);
-  const LineLog& log = keeper_.log();
-  if (std::exchange(reported_drops_, log.dropped_lines()) == log.dropped_lines()) return;
-  ROS_WARN_THROTTLE(5.0, "A line is dropped: %s. %zu dropped so far.", log.newest_drop().c_str(),
-                    log.dropped_lines());
+  while (const std::optional<ReadyLine> line = intake_.take_next(tf_.core(), now))
+    keeper_.add(*line);
 }
 
 void ModelerNode::on_corrected_trajectory(const nav_msgs::Path& path) {
@@ -137,7 +142,7 @@ void ModelerNode::on_corrected_trajectory(const nav_msgs::Path& path) {
 
 bool ModelerNode::on_reset(std_srvs::Trigger::Request&, std_srvs::Trigger::Response& response) {
   intake_.restart("reset");
-  keeper_.reset();
+  empty_model();
   stopped_ = false;
   response.success = true;
   response.message = "the model is empty";
@@ -156,27 +161,46 @@ bool ModelerNode::on_get_model(GetModel::Request& request, GetModel::Response& r
   return true;
 }
 
-/// A bag or a simulation was started again: lines of before and after do not fit one trajectory.
+void ModelerNode::check_clock() {
+  if (clock_.went_back()) on_time_jump();
+}
+
+/// Separates the runs: lines and transforms of before and after do not fit one trajectory.
 void ModelerNode::on_time_jump() {
-  intake_.restart("the clock was set back");
-  if (parameters_.on_time_jump == OnTimeJump::reset) keeper_.reset();
+  tf_.start_next_run();
+  intake_.start_next_run("the clock was set back");
+  if (parameters_.on_time_jump == OnTimeJump::reset) empty_model();
   stopped_ = parameters_.on_time_jump == OnTimeJump::stop;
+  if (stopped_) intake_.restart(kStopped);
   ROS_WARN("Simulated time went back: %s", what_happens_on(parameters_.on_time_jump));
+}
+
+void ModelerNode::empty_model() {
+  keeper_.reset();
+  reported_lines_ = reported_drops_ = 0;
 }
 
 void ModelerNode::report() {
   publisher_.publish(keeper_, intake_.done());
   diagnostics_.publish();
-  const ModelStatistics statistics = keeper_.modeler().statistics();
   if (++reports_ % 5 != 0) return;  // counted, not throttled: simulated time may stand still
-  const std::string complaint = watch_.complaint(intake_, tf_.transforms());
+  warn_of_drops();
+  const std::string complaint = watch_.complaint(intake_, tf_.received());
   if (!complaint.empty()) {
     ROS_WARN("%s", complaint.c_str());
   } else if (std::exchange(reported_lines_, keeper_.log().lines()) != keeper_.log().lines()) {
-    ROS_INFO("%zu lines (%zu dropped), %zu ribbons, %zu planes, %.0f times real time",
-             keeper_.log().lines(), keeper_.log().dropped_lines(), statistics.ribbons,
-             keeper_.modeler().planes_as_built().size(), keeper_.real_time_factor());
+    ROS_INFO("%zu lines (%zu dropped), %zu ribbons, %.0f times real time", keeper_.log().lines(),
+             keeper_.log().dropped_lines(), keeper_.modeler().statistics().ribbons,
+             keeper_.real_time_factor());
   }
+}
+
+void ModelerNode::warn_of_drops() {
+  const LineLog& log = keeper_.log();
+  const std::size_t dropped = log.dropped_lines();
+  const std::size_t before = std::exchange(reported_drops_, dropped);
+  if (dropped == before) return;
+  ROS_WARN("A line is dropped: %s. %zu dropped so far.", log.newest_drop().c_str(), dropped);
 }
 
 }  // namespace

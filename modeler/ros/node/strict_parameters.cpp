@@ -19,10 +19,10 @@ using XmlRpc::XmlRpcValue;
 }
 
 template <typename Number>
-Number within(const std::string& name, Number value, Number least, Number most) {
-  if (value >= least && value <= most) return value;
+Number within(const std::string& name, Number value, Number min, Number max) {
+  if (value >= min && value <= max) return value;
   std::ostringstream why;
-  why << "is " << value << ", allowed are " << least << " to " << most;
+  why << "is " << value << ", allowed are " << min << " to " << max;
   refuse(name, why.str());
 }
 
@@ -47,23 +47,22 @@ std::string StrictParameters::required_text(const std::string& key, const std::s
   return value;
 }
 
-double StrictParameters::number(const std::string& key, double fallback, double least,
-                                double most) {
+double StrictParameters::number(const std::string& key, double fallback, double min, double max) {
   const std::string name = full_name(key);
   XmlRpcValue value;
   if (!ros::param::get(name, value)) return fallback;
   if (value.getType() == XmlRpcValue::TypeInt)
-    return within(name, static_cast<double>(static_cast<int>(value)), least, most);
+    return within(name, static_cast<double>(static_cast<int>(value)), min, max);
   if (value.getType() != XmlRpcValue::TypeDouble) refuse(name, "must be a number");
-  return within(name, static_cast<double>(value), least, most);
+  return within(name, static_cast<double>(value), min, max);
 }
 
-int StrictParameters::integer(const std::string& key, int fallback, int least, int most) {
+int StrictParameters::integer(const std::string& key, int fallback, int min, int max) {
   const std::string name = full_name(key);
   XmlRpcValue value;
   if (!ros::param::get(name, value)) return fallback;
   if (value.getType() != XmlRpcValue::TypeInt) refuse(name, "must be a whole number");
-  return within(name, static_cast<int>(value), least, most);
+  return within(name, static_cast<int>(value), min, max);
 }
 
 bool StrictParameters::flag(const std::string& key, bool fallback) {

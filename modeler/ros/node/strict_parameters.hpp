@@ -7,18 +7,23 @@
 
 namespace ribbon_mapper {
 
-/// The private parameters of this node, read strictly: a wrong type, a value out of range or a
-/// parameter that nobody asked for throws std::invalid_argument that names the parameter and what
-/// is allowed. A misspelt parameter that is silently ignored costs its user an afternoon.
+/// Reads the private parameters of this node strictly. Each method throws std::invalid_argument
+/// that names the parameter and what is allowed, if the parameter has a wrong type or is out of
+/// range. A misspelt parameter that is silently ignored costs its user an afternoon.
 class StrictParameters {
  public:
+  /// Returns a text parameter, or `fallback` if it is not set.
   std::string text(const std::string& key, const std::string& fallback);
+  /// Returns a text parameter. Throws if it is not set; the error says what it means.
   std::string required_text(const std::string& key, const std::string& meaning);
-  double number(const std::string& key, double fallback, double least, double most);
-  int integer(const std::string& key, int fallback, int least, int most);
+  /// Returns a number from `min` to `max`, or `fallback` if it is not set. Integers are accepted.
+  double number(const std::string& key, double fallback, double min, double max);
+  /// Returns a whole number from `min` to `max`, or `fallback` if it is not set.
+  int integer(const std::string& key, int fallback, int min, int max);
+  /// Returns a boolean parameter, or `fallback` if it is not set.
   bool flag(const std::string& key, bool fallback);
 
-  /// To be called when all have been read.
+  /// Throws if a private parameter is set that none of the calls before has read.
   void refuse_unknown() const;
 
  private:

@@ -13,8 +13,9 @@
 namespace ribbon_mapper {
 namespace {
 
-/// Passes the transforms of a bag on, without those that a localisation which runs now provides,
-/// and without leading slashes: from `tf_recorded` to `/tf`.
+/// Forwards the transforms of a bag from `tf_recorded` to `/tf` without leading slashes. Leaves out
+/// those that a localisation provides during the replay. Keeps nothing, so a time jump does not
+/// matter to it.
 class TfFilterNode {
  public:
   explicit TfFilterNode(std::set<std::string> drop_frames) : drop_frames_(std::move(drop_frames)) {

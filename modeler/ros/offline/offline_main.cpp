@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 ribbon_mapper authors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// From a bag to a model without a master: see `offline_modeler --help`.
+// Models a bag without a master: see `offline_modeler --help`.
 
 #include <sys/resource.h>
 
@@ -17,12 +17,11 @@
 namespace {
 
 using namespace ribbon_mapper;
-using namespace ribbon_mapper;
 using Clock = std::chrono::steady_clock;
 
 double seconds(const timeval& time) { return time.tv_sec + 1e-6 * time.tv_usec; }
 
-/// What the process has cost until now.
+/// Adds the time and memory that the process has used so far.
 void add_cost(Clock::time_point start, OfflineSummary& summary) {
   rusage usage{};
   getrusage(RUSAGE_SELF, &usage);

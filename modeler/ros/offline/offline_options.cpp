@@ -10,16 +10,14 @@ namespace ribbon_mapper {
 namespace {
 
 constexpr const char* kDescription =
-    "Models the scan lines of a bag as fast as it goes, without a ROS master: the same code as "
-    "the\n"
-    "node, the same bag gives the same planes, byte for byte.\n"
-    "Writes planes_before.json (recorded poses, as built on the way), planes_after.{json,ply,bt} "
-    "with\n"
-    "planes_after_cells.ply (the final model), trajectory.tum and summary.json.";
+    "Models the scan lines of a bag as fast as possible, with the code of the node but without a\n"
+    "ROS master. The same bag gives the same planes, byte for byte.\n"
+    "Writes planes_before.json (recorded poses, as built on the way), planes_after.{json,ply,bt}\n"
+    "and planes_after_cells.ply (the final model), trajectory.tum and summary.json.";
 
 constexpr const char* kFooter =
-    "Not sure what is in the bag? `bag_check FILE` says it, and what stands in the way.\n"
-    "Exit code: 0 done, 1 it could not be done, 2 wrong usage.";
+    "Not sure what is in the bag? `bag_check FILE` lists it and reports what is wrong.\n"
+    "Exit code: 0 success, 1 failure, 2 wrong usage.";
 
 }  // namespace
 
@@ -28,17 +26,17 @@ std::variant<OfflineOptions, int> parse_offline_options(int argc, const char* co
   std::string tf_drop_frames;
   CLI::App app(kDescription, "offline_modeler");
   app.footer(kFooter);
-  app.add_option("--bag", options.bags, "bags, read as one in order of time")->required();
+  app.add_option("--bag", options.bags, "bags, read as one in the order of time")->required();
   app.add_option("--output", options.output, "folder for the results")->capture_default_str();
   app.add_option("--config", options.config, "preset of the modeler")->capture_default_str();
   app.add_option("--trajectory", options.trajectory,
                  "corrected poses of the base in map (TUM: stamp x y z qx qy qz qw)");
   app.add_flag("--poses-are-final", options.poses_are_final,
-               "the recorded poses are as good as corrected ones; known when the base stands still")
+               "treat the recorded poses as corrected ones; implied if the base stands still")
       ->excludes("--trajectory");
   add_bag_options(app, options.bag, tf_drop_frames);
   app.add_flag("--figure", options.with_figure,
-               "draw model_views.png from above and from the side");
+               "draw model_views.png: the model from above and from the side");
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {

@@ -11,19 +11,19 @@
 
 namespace ribbon_mapper {
 
-/// What a user of `offline_modeler` can choose.
+/// Command line options of `offline_modeler`.
 struct OfflineOptions {
-  std::vector<std::filesystem::path> bags;
-  std::filesystem::path trajectory;  ///< TUM file; empty: the recorded poses
-  bool poses_are_final = false;      ///< the recorded poses are as good as corrected ones
-  std::string config = "config/pr2.yaml";
-  std::filesystem::path output = "results/offline";
-  bool with_figure = false;
-  BagOptions bag;
+  std::vector<std::filesystem::path> bags;  ///< read as one
+  std::filesystem::path trajectory;         ///< TUM file; empty: the recorded poses
+  bool poses_are_final = false;             ///< the recorded poses are as good as corrected ones
+  std::string config = "config/pr2.yaml";   ///< preset
+  std::filesystem::path output = "results/offline";  ///< folder for the results
+  bool with_figure = false;                          ///< also draws model_views.png
+  BagOptions bag;                                    ///< topic, frames and times
 };
 
-/// The options, or the exit code of a program that has said what was to be said (0: help, 2:
-/// usage).
+/// Returns the options, or the exit code if the program has printed its help (0) or a usage error
+/// (2).
 std::variant<OfflineOptions, int> parse_offline_options(int argc, const char* const* argv);
 
 }  // namespace ribbon_mapper

@@ -46,7 +46,7 @@ void require_lines(const ModelKeeper& keeper) {
   throw std::runtime_error(why + "\n`bag_check` says more");
 }
 
-/// Then no localisation can be wrong from line to line.
+/// Returns whether the base stands still: the localisation then cannot drift from line to line.
 bool stands_still(const std::vector<StampedPose>& trajectory) {
   const Pose T_first_map = trajectory.front().T_map_base.inverse(Eigen::Isometry);
   return std::all_of(trajectory.begin(), trajectory.end(), [&](const StampedPose& pose) {
@@ -55,7 +55,8 @@ bool stands_still(const std::vector<StampedPose>& trajectory) {
   });
 }
 
-/// The final poses, if they are known to agree all along the way; says where they are from.
+/// Returns the final poses, or nothing if the recorded ones are only those of a SLAM on the way.
+/// Writes where they are from to `origin`.
 std::vector<StampedPose> final_poses(const OfflineOptions& options, const Modeler& modeler,
                                      std::string& origin) {
   if (!options.trajectory.empty()) {
@@ -108,6 +109,7 @@ OfflineRun model_bags(const OfflineOptions& options, const ProgressCallback& pro
   const auto poses = final_poses(options, keeper.modeler(), run.summary.trajectory);
   if (!poses.empty()) keeper.correct(poses);
   run.planes_after = keeper.planes();
+  run.stripe_gap_m = config.surface.stripe_gap_m;
   run.trajectory = keeper.modeler().trajectory();
   describe(keeper, config.surface, run);
   return run;
@@ -117,7 +119,7 @@ void write_model(const OfflineRun& run, const std::filesystem::path& directory) 
   create_directory_for_files(directory);
   write_file_atomically(directory / "planes_before.json", planes_to_json(run.planes_before));
   write_file_atomically(directory / "trajectory.tum", to_tum(run.trajectory));
-  save_model(run.planes_after, directory, "planes_after");
+  save_model(run.planes_after, directory, "planes_after", run.stripe_gap_m);
 }
 
 }  // namespace ribbon_mapper

@@ -8,22 +8,26 @@
 #include "modeler/ros/offline/offline_options.hpp"
 #include "modeler/ros/offline/offline_summary.hpp"
 #include "modeler/surface/plane.hpp"
+#include "modeler/surface/surface_config.hpp"
 
 namespace ribbon_mapper {
 
-/// What a run over a recording leaves.
+/// The results of modelling a recording.
 struct OfflineRun {
-  OfflineSummary summary;  ///< without what it cost
-  std::vector<Plane> planes_before, planes_after;
-  std::vector<StampedPose> trajectory;  ///< acquisition poses of the final model
+  OfflineSummary summary;                              ///< without time and memory used
+  std::vector<Plane> planes_before;                    ///< recorded poses, as built on the way
+  std::vector<Plane> planes_after;                     ///< the final model
+  double stripe_gap_m = SurfaceConfig{}.stripe_gap_m;  ///< as configured, for the mesh
+  std::vector<StampedPose> trajectory;                 ///< acquisition poses of the final model
 };
 
-/// Reads the bags through the intake of the node into the modeler, then evaluates the model with
-/// the final poses. Throws std::runtime_error or std::invalid_argument that says what is wrong:
-/// with a bag, a preset, the trajectory (another run's), or if no line could be placed.
+/// Models the bags and evaluates the model with the final poses. Throws std::runtime_error or
+/// std::invalid_argument that says what is wrong with a bag, the preset or the trajectory, or why
+/// no line could be modelled.
 OfflineRun model_bags(const OfflineOptions& options, const ProgressCallback& progress);
 
-/// Writes the files that offline_modeler promises, each whole or not at all, but the summary.
+/// Writes the files of the model, but not the summary. Each file is written completely or not at
+/// all.
 void write_model(const OfflineRun& run, const std::filesystem::path& directory);
 
 }  // namespace ribbon_mapper

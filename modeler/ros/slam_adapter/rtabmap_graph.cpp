@@ -11,7 +11,7 @@
 namespace ribbon_mapper {
 namespace {
 
-/// Numbers of the fields that are wanted, in the order in which they came.
+/// The numbers of some fields by their paths, in the order of the message.
 using Columns = std::map<std::string, std::vector<double>>;
 
 const std::vector<std::string> kPose{"position.x",    "position.y",    "position.z",

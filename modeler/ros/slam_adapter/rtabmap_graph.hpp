@@ -12,15 +12,15 @@
 
 namespace ribbon_mapper {
 
-/// RTAB-Map's trajectory: its graph has the poses, but no stamps; its nodes have the stamps, each
-/// sent once when it is new. (Its mapPath carries one stamp for all poses.)
+/// Joins the trajectory of RTAB-Map from its messages: the graph has the poses without stamps, and
+/// each node has its stamp and is sent once. (mapPath carries one stamp for all poses.)
 class RtabmapGraph {
  public:
-  /// A message of rtabmap_msgs/MapData (graph and nodes) or MapGraph (the graph alone), read by its
-  /// definition. Throws std::invalid_argument if it cannot be read or is neither.
+  /// Adds a message of rtabmap_msgs/MapData (graph and nodes) or MapGraph (the graph alone), read
+  /// by its definition. Throws std::invalid_argument if it cannot be read or is neither.
   void take(const std::string& definition, const std::uint8_t* data, std::size_t size);
 
-  /// Poses of the newest graph whose stamps are known, in order of time.
+  /// Returns the poses of the newest graph whose stamps are known, in the order of time.
   std::vector<StampedPose> trajectory() const;
 
  private:

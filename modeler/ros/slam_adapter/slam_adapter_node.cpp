@@ -1,12 +1,13 @@
 // SPDX-FileCopyrightText: 2026 ribbon_mapper authors
 // SPDX-License-Identifier: BSD-3-Clause
 #include <ros/ros.h>
-#include <tf2_msgs/TFMessage.h>
-#include <tf2_ros/transform_listener.h>
 #include <topic_tools/shape_shifter.h>
 
+#include <functional>
 #include <stdexcept>
 
+#include "modeler/ros/intake/clock_guard.hpp"
+#include "modeler/ros/intake/tf_feed.hpp"
 #include "modeler/ros/messages/message_conversions.hpp"
 #include "modeler/ros/node/strict_parameters.hpp"
 #include "modeler/ros/slam_adapter/rtabmap_graph.hpp"
@@ -15,6 +16,11 @@
 
 namespace ribbon_mapper {
 namespace {
+
+constexpr double kTfCache_s = 120.0;
+
+/// Called before each message, so that a time jump is noticed before its data.
+using CheckClock = std::function<void()>;
 
 struct NodeParameters {
   std::string source;
@@ -36,46 +42,55 @@ struct NodeParameters {
   }
 };
 
-/// Where a SLAM keeps its corrected trajectory.
+/// The corrected trajectory of a SLAM, as far as it is known.
 class Source {
  public:
   virtual ~Source() = default;
-  /// All poses so far, stamps strictly increasing; empty: nothing yet.
+  /// Returns all poses so far, stamps strictly increasing; empty if there are none yet.
   virtual std::vector<StampedPose> trajectory() = 0;
+  /// Returns what must be published before there is a trajectory.
   virtual std::string waits_for() const = 0;
+  /// Forgets what was received: simulated time was set back.
+  virtual void start_next_run() = 0;
 };
 
 class TfSource : public Source {
  public:
-  TfSource(ros::NodeHandle& node, const Frames& frames)
-      : frames_(frames), buffer_(ros::Duration(120.0)), listener_(buffer_), history_(frames) {
-    tf_ = node.subscribe("/tf", 10000, &TfSource::on_tf, this);
-  }
+  TfSource(ros::NodeHandle& node, const Frames& frames, CheckClock check_clock)
+      : frames_(frames),
+        history_(frames),
+        tf_(kTfCache_s, {}, [this](const auto& transform) { take(transform); }),
+        tf_feed_(node, tf_, std::move(check_clock)) {}
+
   std::vector<StampedPose> trajectory() override {
-    history_.look_up(buffer_);
+    history_.look_up(tf_.core());
     return history_.trajectory();
   }
   std::string waits_for() const override { return frames_.map + " -> " + frames_.odom + " on /tf"; }
+  void start_next_run() override {
+    history_ = TfHistory(frames_);
+    tf_.start_next_run();
+  }
 
  private:
-  void on_tf(const tf2_msgs::TFMessage& message) {
-    for (const geometry_msgs::TransformStamped& transform : message.transforms) {
-      if (without_slash(transform.header.frame_id) != frames_.map) continue;
-      if (without_slash(transform.child_frame_id) != frames_.odom) continue;
+  void take(const geometry_msgs::TransformStamped& transform) {
+    if (without_slash(transform.header.frame_id) == frames_.map &&
+        without_slash(transform.child_frame_id) == frames_.odom) {
       history_.take(time_of(transform.header.stamp), pose_of(transform.transform));
     }
-    history_.look_up(buffer_);
+    history_.look_up(tf_.core());
   }
+
   Frames frames_;
-  tf2_ros::Buffer buffer_;
-  tf2_ros::TransformListener listener_;
   TfHistory history_;
-  ros::Subscriber tf_;
+  TransformBuffer tf_;
+  TfFeed tf_feed_;
 };
 
 class RtabmapSource : public Source {
  public:
-  explicit RtabmapSource(ros::NodeHandle& node) {
+  RtabmapSource(ros::NodeHandle& node, CheckClock check_clock)
+      : check_clock_(std::move(check_clock)) {
     data_ = node.subscribe("mapData", 100, &RtabmapSource::on_message, this);
     graph_ = node.subscribe("mapGraph", 10, &RtabmapSource::on_message, this);
   }
@@ -83,9 +98,11 @@ class RtabmapSource : public Source {
   std::string waits_for() const override {
     return data_.getTopic() + " and " + graph_.getTopic() + " of RTAB-Map";
   }
+  void start_next_run() override { slam_ = {}; }
 
  private:
   void on_message(const topic_tools::ShapeShifter::ConstPtr& message) {
+    check_clock_();
     std::vector<std::uint8_t> bytes(message->size());
     ros::serialization::OStream stream(bytes.data(), message->size());
     message->write(stream);
@@ -96,6 +113,8 @@ class RtabmapSource : public Source {
                          message->getDataType().c_str(), error.what());
     }
   }
+
+  CheckClock check_clock_;
   RtabmapGraph slam_;
   ros::Subscriber data_, graph_;
 };
@@ -119,6 +138,7 @@ class CartographerSource : public Source {
     return trajectory_of(path, map_);
   }
   std::string waits_for() const override { return "service " + name_ + " of cartographer_node"; }
+  void start_next_run() override {}  // keeps nothing
 
  private:
   std::string map_, name_;
@@ -126,9 +146,11 @@ class CartographerSource : public Source {
   ros::ServiceClient query_;
 };
 
-std::unique_ptr<Source> make_source(ros::NodeHandle& node, const NodeParameters& parameters) {
-  if (parameters.source == "tf") return std::make_unique<TfSource>(node, parameters.frames);
-  if (parameters.source == "rtabmap") return std::make_unique<RtabmapSource>(node);
+std::unique_ptr<Source> make_source(ros::NodeHandle& node, const NodeParameters& parameters,
+                                    const CheckClock& check_clock) {
+  if (parameters.source == "tf")
+    return std::make_unique<TfSource>(node, parameters.frames, check_clock);
+  if (parameters.source == "rtabmap") return std::make_unique<RtabmapSource>(node, check_clock);
   if (parameters.source == "cartographer")
     return std::make_unique<CartographerSource>(node, parameters);
   throw std::invalid_argument("parameter source is '" + parameters.source +
@@ -143,18 +165,27 @@ bool differ(const std::vector<StampedPose>& a, const std::vector<StampedPose>& b
   return false;
 }
 
-/// Hands the corrected trajectory of a SLAM to the modeler, whole at each revision.
+/// Publishes the whole corrected trajectory of a SLAM for the modeler whenever it changes.
 class SlamAdapter {
  public:
   explicit SlamAdapter(const NodeParameters& parameters)
-      : parameters_(parameters), source_(make_source(node_, parameters)) {
+      : parameters_(parameters),
+        source_(make_source(node_, parameters, [this] { check_clock(); })) {
     corrected_ = node_.advertise<nav_msgs::Path>("corrected_trajectory", 1, true);
     timer_ = node_.createWallTimer(ros::WallDuration(parameters.period_s),
                                    [this](const ros::WallTimerEvent&) { publish(); });
   }
 
  private:
+  void check_clock() {
+    if (!clock_.went_back()) return;
+    source_->start_next_run();
+    published_.clear();
+    ROS_WARN("Simulated time went back: the trajectory starts again");
+  }
+
   void publish() {
+    check_clock();
     try {
       std::vector<StampedPose> trajectory = source_->trajectory();
       if (trajectory.empty()) {
@@ -171,6 +202,7 @@ class SlamAdapter {
 
   NodeParameters parameters_;
   ros::NodeHandle node_;
+  ClockGuard clock_;
   std::unique_ptr<Source> source_;
   std::vector<StampedPose> published_;
   ros::Publisher corrected_;

@@ -9,7 +9,7 @@
 namespace ribbon_mapper {
 namespace {
 
-constexpr double kSameM = 1e-4, kSameRad = 1e-4;
+constexpr double kSame_m = 1e-4, kSame_rad = 1e-4;
 constexpr std::size_t kMaxWaiting = 1000;
 
 }  // namespace
@@ -17,7 +17,7 @@ constexpr std::size_t kMaxWaiting = 1000;
 void TfHistory::take(Time stamp, const Pose& T_map_odom) {
   if (last_T_map_odom_) {
     const Pose change = last_T_map_odom_->inverse(Eigen::Isometry) * T_map_odom;
-    if (change.translation().norm() < kSameM && angle_of(change) < kSameRad) return;
+    if (change.translation().norm() < kSame_m && angle_of(change) < kSame_rad) return;
   }
   last_T_map_odom_ = T_map_odom;
   waiting_.push_back({stamp, T_map_odom});

@@ -13,20 +13,21 @@
 
 namespace ribbon_mapper {
 
-/// The trajectory of a localisation that says only where odom is in map (gmapping, amcl,
-/// slam_toolbox): each time it changes its mind, what it says is the truth of that moment. In
-/// between it repeats itself while odometry drifts, so only the changes are poses of the
-/// trajectory.
+/// Builds a trajectory from a localisation that publishes only the transform map -> odom (gmapping,
+/// amcl, slam_toolbox). A changed transform is an estimate of that moment. In between the
+/// localisation repeats itself while odometry drifts, so only changes become poses.
 class TfHistory {
  public:
+  /// Creates an empty history.
   explicit TfHistory(const Frames& frames) : frames_(frames) {}
 
-  /// A new transform map -> odom. Stamps that a localisation dates into the future are waited for.
+  /// Adds a transform map -> odom. A stamp in the future waits for odometry.
   void take(Time stamp, const Pose& T_map_odom);
 
-  /// Looks up where the base was when odom was corrected.
+  /// Looks up odometry at the stamps of the changes and extends the trajectory.
   void look_up(const tf2::BufferCore& tf);
 
+  /// Returns the poses of the base in map, stamps strictly increasing.
   const std::vector<StampedPose>& trajectory() const { return trajectory_; }
 
  private:

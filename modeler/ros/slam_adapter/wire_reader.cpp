@@ -20,7 +20,7 @@ const std::map<std::string, std::size_t>& primitive_sizes() {
 template <typename Number>
 double as(const std::uint8_t* data) {
   Number number;
-  std::memcpy(&number, data, sizeof number);  // messages are little-endian, as we are
+  std::memcpy(&number, data, sizeof number);  // messages are little-endian, as this machine
   return static_cast<double>(number);
 }
 
@@ -134,7 +134,7 @@ void WireReader::read_field(const Field& field, const std::string& path, Cursor&
     return;
   }
   const std::string type = full_name(field.type);
-  if (types_.at(type).empty()) return;  // else a false count would keep us busy
+  if (types_.at(type).empty()) return;  // else a wrong count would cost much time
   for (std::size_t i = 0; i < count; ++i) read_type(type, path, cursor, visit);
 }
 

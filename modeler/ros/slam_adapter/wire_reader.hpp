@@ -11,29 +11,29 @@
 
 namespace ribbon_mapper {
 
-/// Reads messages whose package is not installed, by the definition that came with them: every
-/// publisher and every bag sends it along.
+/// Reads messages whose package is not installed, by means of the definition that every publisher
+/// and every bag sends along.
 class WireReader {
  public:
-  /// `definition` as in the connection header: the message's own fields, then those of the types it
-  /// uses, each after a line of '=' and "MSG: package/Type". Throws std::invalid_argument if it
-  /// cannot be understood.
+  /// Parses a definition as in the connection header: the fields of the message, then those of the
+  /// types it uses, each after a line of '=' and "MSG: package/Type". Throws std::invalid_argument
+  /// if it cannot be parsed.
   explicit WireReader(const std::string& definition);
 
-  /// A number in a message, by its path without indices: "graph.poses.position.x". Booleans, times
-  /// and durations (in seconds) are numbers, texts are not. Fields come in the order of the
-  /// message.
+  /// Called with each number of a message and its path without indices, such as
+  /// "graph.poses.position.x". Booleans, times and durations (in seconds) are numbers, texts are
+  /// not. Fields come in the order of the message.
   using Visitor = std::function<void(const std::string& path, double value)>;
 
-  /// Visits all numbers but those of arrays of bytes. Throws std::invalid_argument if the message
-  /// is shorter than its definition demands.
+  /// Visits all numbers except those in arrays of bytes. Throws std::invalid_argument if the
+  /// message is shorter than its definition requires.
   void read(const std::uint8_t* data, std::size_t size, const Visitor& visit) const;
 
  private:
   struct Field {
     std::string type, name;
     bool is_array = false;
-    int length = -1;  ///< of an array, -1: in front of its elements
+    int length = -1;  ///< of an array; -1: given before its elements
   };
   class Cursor;
   void read_type(const std::string& type, const std::string& path, Cursor& cursor,

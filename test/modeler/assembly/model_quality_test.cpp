@@ -7,11 +7,11 @@
 #include <cmath>
 #include <random>
 
-namespace ribbon_mapper::eval {
+namespace ribbon_mapper {
 namespace {
 
-/// A square of 20 x 20 cells in the plane z = height.
-Plane square(double height_m, int u0 = 0, int side = 20) {
+/// Returns a square of cells in the plane z = `height_m`, whose first column is `u0`.
+Plane square_plane(double height_m, int u0 = 0, int side = 20) {
   Plane plane;
   plane.d_m = -height_m;
   plane.origin = {0.0, 0.0, height_m};
@@ -25,24 +25,24 @@ Plane square(double height_m, int u0 = 0, int side = 20) {
 
 TEST(Duplicates, AreNearParallelAndTouching) {
   const DuplicateRule rule;
-  EXPECT_TRUE(duplicates_of_larger({square(0.0), square(0.2)}, rule).empty());
-  EXPECT_TRUE(duplicates_of_larger({square(0.0), square(0.05, 40)}, rule).empty());
-  const auto found = duplicates_of_larger({square(0.05, 22, 10), square(0.0)}, rule);
+  EXPECT_TRUE(duplicates_of_larger({square_plane(0.0), square_plane(0.2)}, rule).empty());
+  EXPECT_TRUE(duplicates_of_larger({square_plane(0.0), square_plane(0.05, 40)}, rule).empty());
+  const auto found = duplicates_of_larger({square_plane(0.05, 22, 10), square_plane(0.0)}, rule);
   EXPECT_EQ(found, std::vector<std::size_t>{0});
 }
 
-TEST(Duplicates, TheBackOfAThinWallIsNone) {
-  Plane back = square(0.05, 0, 10);
+TEST(Duplicates, ExcludeTheBackOfAThinWall) {
+  Plane back = square_plane(0.05, 0, 10);
   back.normal *= -1.0, back.d_m *= -1.0;
-  EXPECT_TRUE(duplicates_of_larger({square(0.0), back}, {}).empty());
+  EXPECT_TRUE(duplicates_of_larger({square_plane(0.0), back}, {}).empty());
 }
 
-TEST(Residual, IsTheMedianOfThePoints) {
+TEST(Residual, IsTheMedianOverThePoints) {
   EXPECT_FALSE(median_residual_m({}).has_value());
   std::mt19937 random(1);
   std::normal_distribution<double> noise(0.0, 0.012);
   std::vector<double> distances;
-  Plane plane = square(0.0);
+  Plane plane = square_plane(0.0);
   for (PlaneCell& cell : plane.cells) {
     double sum = 0.0, squares = 0.0;
     const double bias = 0.01 * std::sin(0.3 * cell.u);
@@ -60,4 +60,4 @@ TEST(Residual, IsTheMedianOfThePoints) {
 }
 
 }  // namespace
-}  // namespace ribbon_mapper::eval
+}  // namespace ribbon_mapper

@@ -13,7 +13,7 @@ namespace {
 using namespace mini_world;
 using Vector = Eigen::Vector3d;
 
-/// Two patches of a floor, 0.5 m apart, the second one smaller and this much higher.
+/// Returns two patches of a floor, 0.5 m apart. The second one is smaller, and higher by `step_m`.
 Scene two_patches(double step_m) {
   Scene scene;
   scene.add(patch({1.0, 0.0, 0.0}, Vector::UnitX(), 2.0 * Vector::UnitY()));
@@ -27,7 +27,7 @@ std::vector<Hypothesis> pieces_of(const Scene& scene, double gap_m) {
   return split(whole, surface.plane(), gap_m, scene.observations());
 }
 
-TEST(Split, AtGapsThatAreTooWide) {
+TEST(Split, SplitsAtWideGaps) {
   const Scene scene = two_patches(0.0);
   EXPECT_EQ(1u, pieces_of(scene, 0.6).size());
   const auto pieces = pieces_of(scene, 0.3);
@@ -40,20 +40,20 @@ TEST(Split, AtGapsThatAreTooWide) {
   EXPECT_NEAR(3.0, pieces[1].fit().mean.x(), 1e-6);
 }
 
-TEST(Agreeing, PiecesStayTogetherIfEachSaysSo) {
+TEST(GroupAgreeing, UnitesPiecesWhoseFitsAgree) {
   const AssociationGates gates{2.0, 0.03};
-  EXPECT_EQ(1u, agreeing(pieces_of(two_patches(0.0), 0.3), gates, 0.5).size());
-  EXPECT_EQ(1u, agreeing(pieces_of(two_patches(0.02), 0.3), gates, 0.5).size());
-  const auto groups = agreeing(pieces_of(two_patches(0.06), 0.3), gates, 0.5);
+  EXPECT_EQ(1u, group_agreeing(pieces_of(two_patches(0.0), 0.3), gates, 0.5).size());
+  EXPECT_EQ(1u, group_agreeing(pieces_of(two_patches(0.02), 0.3), gates, 0.5).size());
+  const auto groups = group_agreeing(pieces_of(two_patches(0.06), 0.3), gates, 0.5);
   ASSERT_EQ(2u, groups.size());
-  EXPECT_NEAR(1.0, groups[1].normal().z(), 1e-9);  // neither is tilted any more
+  EXPECT_NEAR(1.0, groups[1].normal().z(), 1e-9);  // neither is tilted
   EXPECT_NEAR(-0.06, groups[1].d_m(), 1e-6);
 }
 
-TEST(Agreeing, ThingsMustBeLevel) {
+TEST(GroupAgreeing, RequiresShortPiecesToBeLevel) {
   const AssociationGates gates{2.0, 0.03};
-  EXPECT_EQ(1u, agreeing(pieces_of(two_patches(0.005), 0.3), gates, 2.0).size());
-  EXPECT_EQ(2u, agreeing(pieces_of(two_patches(0.02), 0.3), gates, 2.0).size());
+  EXPECT_EQ(1u, group_agreeing(pieces_of(two_patches(0.005), 0.3), gates, 2.0).size());
+  EXPECT_EQ(2u, group_agreeing(pieces_of(two_patches(0.02), 0.3), gates, 2.0).size());
 }
 
 }  // namespace

@@ -15,7 +15,8 @@ namespace {
 using namespace mini_world;
 using Vector = Eigen::Vector3d;
 
-/// A plane through `centre` along y, turned about y: 0 is level, 90 degrees a wall seen from -x.
+/// Returns a plane through `centre`, rotated about y: 0 degrees is level, 90 degrees is a wall seen
+/// from -x.
 Plane turned_plane(const Vector& centre, double angle_deg, int columns, int rows) {
   Plane plane = level_plane(0.0, rectangle(columns, rows, -columns / 2, -rows / 2));
   const Eigen::AngleAxisd turn(-angle_deg * M_PI / 180.0, Vector::UnitY());
@@ -26,10 +27,11 @@ Plane turned_plane(const Vector& centre, double angle_deg, int columns, int rows
   return plane;
 }
 
-const Plane floor_plane = turned_plane({1.0, 0.0, 0.0}, 0.0, 40, 60);
-const Plane wall_plane = turned_plane({2.0, 0.0, 1.0}, 90.0, 40, 60);
+const Plane kFloor = turned_plane({1.0, 0.0, 0.0}, 0.0, 40, 60);
+const Plane kWall = turned_plane({2.0, 0.0, 1.0}, 90.0, 40, 60);
 
-/// Across the corner of floor and wall; its points, as measured, lie `height_m` above it.
+/// Returns a plane across the corner of floor and wall. Its points, as measured, lie `height_m`
+/// above it.
 Plane across_the_corner(double distance_m, double height_m) {
   const Vector centre = Vector(2.0, 0.0, 0.0) + distance_m * Vector(-M_SQRT1_2, 0.0, M_SQRT1_2);
   Plane plane = turned_plane(centre, 45.0, 4, 40);
@@ -38,18 +40,17 @@ Plane across_the_corner(double distance_m, double height_m) {
   return plane;
 }
 
+/// Returns true if a plane with the id 7 is not spurious beside floor and wall.
 bool is_kept(const Plane& plane) {
-  for (const Plane& kept : without_spurious_planes({plane, floor_plane, wall_plane},
-                                                   SurfaceConfig{}.bridged_gap_m, {})) {
+  for (const Plane& kept :
+       without_spurious_planes({plane, kFloor, kWall}, SurfaceConfig{}.bridged_gap_m, {})) {
     if (kept.id == 7) return true;
   }
   return false;
 }
 
-TEST(WithoutSpuriousPlanes, DropsAPlaneWhosePointsLieOnLargerOnes) {
-  ASSERT_EQ(
-      2u,
-      without_spurious_planes({floor_plane, wall_plane}, SurfaceConfig{}.bridged_gap_m, {}).size());
+TEST(WithoutSpuriousPlanes, RemovesAPlaneWhosePointsLieOnLargerOnes) {
+  ASSERT_EQ(2u, without_spurious_planes({kFloor, kWall}, SurfaceConfig{}.bridged_gap_m, {}).size());
   EXPECT_FALSE(is_kept(across_the_corner(0.03, 0.0)));
 }
 
@@ -57,7 +58,7 @@ TEST(WithoutSpuriousPlanes, KeepsARealChamfer) {
   EXPECT_TRUE(is_kept(across_the_corner(0.3, 0.0)));
 }
 
-TEST(WithoutSpuriousPlanes, GoesByThePointsAsMeasured) {
+TEST(WithoutSpuriousPlanes, UsesThePointsAsMeasured) {
   EXPECT_TRUE(is_kept(across_the_corner(0.03, 0.3)));
   EXPECT_FALSE(is_kept(across_the_corner(0.33, -0.3)));
 }
@@ -71,8 +72,8 @@ TEST(WithoutSpuriousPlanes, KeepsTheBackOfAThinWall) {
   EXPECT_FALSE(is_kept(front));
 }
 
-TEST(Footprint, HoldsWhatIsOnThePlaneBesideItsCells) {
-  const Footprint footprint(floor_plane, 0.15);  // x from 0 to 2, y from -1.5 to 1.5
+TEST(Footprint, HoldsPointsOnThePlaneNearItsCells) {
+  const Footprint footprint(kFloor, 0.15);  // x from 0 to 2, y from -1.5 to 1.5
   EXPECT_TRUE(footprint.holds({1.0, 0.0, 0.03}, 0.04));
   EXPECT_FALSE(footprint.holds({1.0, 0.0, 0.05}, 0.04));
   EXPECT_FALSE(footprint.holds({1.0, 0.0, -0.05}, 0.04));

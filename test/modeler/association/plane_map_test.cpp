@@ -16,30 +16,32 @@ namespace {
 using namespace mini_world;
 using Vector = Eigen::Vector3d;
 
-const Vector x = Vector::UnitX(), y = Vector::UnitY(), z = Vector::UnitZ();
-const AssociationGates slam = AssociationConfig{}.slam;
+const Vector kX = Vector::UnitX(), kY = Vector::UnitY(), kZ = Vector::UnitZ();
+const AssociationGates kSlamGates = AssociationConfig{}.slam;
 
-/// Of a wall at `x_m`, seen from the origin, from `y_m` on to the right.
+/// Returns ribbons on a wall at `x_m`, seen from the origin, from `y_m` to the right.
 std::vector<Ribbon> wall(double x_m, double y_m, double width_m) {
-  return patch({x_m, y_m, 0.0}, -width_m * y, z);
+  return patch({x_m, y_m, 0.0}, -width_m * kY, kZ);
 }
 
+/// Returns a scene of several patches.
 Scene scene_of(const std::vector<std::vector<Ribbon>>& patches) {
   Scene scene;
   for (const auto& ribbons : patches) scene.add(ribbons);
   return scene;
 }
 
-/// A board 10 cm before the middle of a wall, which is seen from its middle outwards.
+/// Returns a board 10 cm in front of the middle of a wall. The ribbons of the wall are ordered from
+/// its middle outwards.
 Scene board_and_wall() {
   std::vector<Ribbon> ribbons = wall(2.1, 1.0, 2.0);
   const auto height = [](const Ribbon& r) { return std::abs(r.moments.mean().z() - 0.5); };
   std::stable_sort(ribbons.begin(), ribbons.end(),
                    [&](const Ribbon& a, const Ribbon& b) { return height(a) < height(b); });
-  return scene_of({patch({2.0, 0.5, 0.25}, -y, 0.5 * z), ribbons});
+  return scene_of({patch({2.0, 0.5, 0.25}, -kY, 0.5 * kZ), ribbons});
 }
 
-TEST(PlaneMap, OneWallIsOneHypothesisOfAllItsRibbons) {
+TEST(PlaneMap, MakesOneHypothesisOfAWall) {
   const Scene scene = scene_of({wall(2.0, 1.0, 2.0)});
   const auto hypotheses = scene.map().hypotheses();
   ASSERT_EQ(1u, hypotheses.size());
@@ -47,49 +49,51 @@ TEST(PlaneMap, OneWallIsOneHypothesisOfAllItsRibbons) {
   EXPECT_EQ(0, hypotheses[0].id);
 }
 
-TEST(PlaneMap, WallsOfACornerAreTwo) {
-  const Scene scene = scene_of({wall(2.0, 1.0, 2.0), patch({2.0, -1.0, 0.0}, -2.0 * x, z)});
+TEST(PlaneMap, MakesTwoHypothesesOfACorner) {
+  const Scene scene = scene_of({wall(2.0, 1.0, 2.0), patch({2.0, -1.0, 0.0}, -2.0 * kX, kZ)});
   EXPECT_EQ(2u, scene.map().hypotheses().size());
 }
 
-TEST(PlaneMap, SidesOfAThinWallAreTwo) {
-  const Scene scene = scene_of({wall(2.0, 1.0, 2.0), patch({2.02, -1.0, 0.0}, 2.0 * y, z)});
-  const auto hypotheses = scene.map(slam).merged_hypotheses();
+TEST(PlaneMap, SeparatesTheSidesOfAThinWall) {
+  const Scene scene = scene_of({wall(2.0, 1.0, 2.0), patch({2.02, -1.0, 0.0}, 2.0 * kY, kZ)});
+  const auto hypotheses = scene.map(kSlamGates).merged_hypotheses();
   ASSERT_EQ(2u, hypotheses.size());
   EXPECT_LT(hypotheses[0].normal().x(), -0.99);
   EXPECT_GT(hypotheses[1].normal().x(), 0.99);
 }
 
-TEST(PlaneMap, ParallelWallsAreOneOnlyWithinTheGates) {
+TEST(PlaneMap, UnitesParallelWallsOnlyWithinTheGates) {
   EXPECT_EQ(1u, scene_of({wall(2.0, 1.0, 1.0), wall(2.02, 0.0, 1.0)}).map().hypotheses().size());
   EXPECT_EQ(2u, board_and_wall().map().hypotheses().size());
-  EXPECT_EQ(1u, board_and_wall().map(slam).hypotheses().size());  // as on the way it must
+  EXPECT_EQ(
+      1u,
+      board_and_wall().map(kSlamGates).hypotheses().size());  // the wider gates of SLAM unite them
 }
 
-TEST(PlaneMap, ARibbonJoinsTheLikeliest) {
+TEST(PlaneMap, AddsARibbonToTheMostLikelyHypothesis) {
   for (const double x_m : {2.18, 2.22}) {
     Scene scene = scene_of({wall(2.0, 1.0, 2.0), wall(2.4, 1.0, 2.0)});
-    scene.ribbons.push_back(ribbon_between({x_m, 0.3, 0.5}, {x_m, -0.3, 0.5}, -x));
-    const auto hypotheses = scene.map(slam).hypotheses();
+    scene.ribbons.push_back(ribbon_between({x_m, 0.3, 0.5}, {x_m, -0.3, 0.5}, -kX));
+    const auto hypotheses = scene.map(kSlamGates).hypotheses();
     ASSERT_EQ(2u, hypotheses.size());
     const Hypothesis& nearer = hypotheses[x_m < 2.2 ? 0 : 1];
     EXPECT_EQ(scene.ribbons.size() - 1, nearer.members().back().ribbon);
   }
 }
 
-TEST(PlaneMap, FarPatchesAreTwoUntilTheyGrowTogether) {
-  Scene scene = scene_of({patch({2.0, 5.0, 0.0}, -0.5 * y, 0.5 * z), wall(2.0, 0.0, 1.0)});
+TEST(PlaneMap, SeparatesPatchesUntilTheyGrowTogether) {
+  Scene scene = scene_of({patch({2.0, 5.0, 0.0}, -0.5 * kY, 0.5 * kZ), wall(2.0, 0.0, 1.0)});
   EXPECT_EQ(2u, scene.map().merged_hypotheses().size());
   scene.add(wall(2.0, 4.2, 4.4));
   const auto hypotheses = scene.map().hypotheses();
   ASSERT_EQ(1u, hypotheses.size());
-  EXPECT_EQ(0, hypotheses[0].id);  // the older one's
+  EXPECT_EQ(0, hypotheses[0].id);  // that of the older one
   EXPECT_EQ(scene.ribbons.size(), hypotheses[0].members().size());
 }
 
-TEST(PlaneMap, MergingAgainChangesNothing) {
+TEST(PlaneMap, MergesIdempotently) {
   const Scene scene = scene_of({wall(2.0, 1.0, 2.0), wall(2.2, -1.0, 2.0), wall(2.1, 4.0, 1.0)});
-  const PlaneMap map = scene.map(slam);
+  const PlaneMap map = scene.map(kSlamGates);
   const auto once = map.merged_hypotheses(), twice = map.merged_hypotheses();
   ASSERT_EQ(once.size(), twice.size());
   EXPECT_LE(once.size(), map.hypotheses().size());
@@ -102,7 +106,7 @@ std::set<std::int64_t> ids_of(const PlaneMap& map) {
   return ids;
 }
 
-TEST(TakeIds, PlanesThatStayKeepTheirs) {
+TEST(TakeIdsFrom, KeepsTheIdsOfUnchangedPlanes) {
   const Scene scene = scene_of({wall(2.0, 1.0, 2.0), wall(2.5, 1.0, 2.0), wall(3.0, 1.0, 2.0)});
   const PlaneMap before = scene.map();
   PlaneMap after = scene.map(AssociationConfig{}.corrected, before.next_id());
@@ -115,9 +119,9 @@ TEST(TakeIds, PlanesThatStayKeepTheirs) {
   EXPECT_EQ(6, after.next_id());
 }
 
-TEST(TakeIds, OfAPlaneThatPartsTheLargerPartKeepsIt) {
+TEST(TakeIdsFrom, GivesTheIdOfASplitPlaneToItsLargerPart) {
   const Scene scene = board_and_wall();
-  const PlaneMap before = scene.map(slam);
+  const PlaneMap before = scene.map(kSlamGates);
   ASSERT_EQ(1u, before.hypotheses().size());
   PlaneMap after = scene.map(AssociationConfig{}.corrected, before.next_id());
   after.take_ids_from(before);
@@ -128,11 +132,11 @@ TEST(TakeIds, OfAPlaneThatPartsTheLargerPartKeepsIt) {
   EXPECT_GE(hypotheses[1].id, before.next_id());
 }
 
-TEST(TakeIds, OfPlanesThatMergeTheLargersIsKept) {
+TEST(TakeIdsFrom, GivesAMergedPlaneTheIdOfTheLargerOne) {
   const Scene scene = board_and_wall();
   const PlaneMap before = scene.map();
   ASSERT_EQ(2u, before.hypotheses().size());
-  PlaneMap after = scene.map(slam, before.next_id());
+  PlaneMap after = scene.map(kSlamGates, before.next_id());
   after.take_ids_from(before);
   ASSERT_EQ(1u, after.hypotheses().size());
   EXPECT_EQ(before.hypotheses()[1].id, after.hypotheses()[0].id);

@@ -11,21 +11,21 @@
 namespace ribbon_mapper::mini_world {
 namespace {
 
-constexpr double spacing_m = 0.01, line_step_m = 0.02;
-constexpr std::size_t points_per_sample = 3;
+constexpr double kSpacing_m = 0.01, kLineStep_m = 0.02;
+constexpr std::size_t kPointsPerSample = 3;
 
 }  // namespace
 
 Ribbon ribbon_of(const std::vector<Eigen::Vector3d>& points, const Eigen::Vector3d& normal) {
-  static PackedStore<PackedSample> store;  // as long as the tests
+  static PackedStore<PackedSample> store;  // outlives all ribbons
   const Eigen::Vector3d up = normal.normalized(), chord = points.back() - points.front();
   const Eigen::Vector3d along = (chord - up.dot(chord) * up).normalized();
   Moments moments;
   for (const Eigen::Vector3d& point : points) moments.add(point);
   const Eigen::Vector3d centroid = moments.mean();
   SamplePacker packer;
-  for (std::size_t begin = 0; begin < points.size(); begin += points_per_sample) {
-    const std::size_t end = std::min(points.size(), begin + points_per_sample);
+  for (std::size_t begin = 0; begin < points.size(); begin += kPointsPerSample) {
+    const std::size_t end = std::min(points.size(), begin + kPointsPerSample);
     Moments sample;
     for (std::size_t i = begin; i < end; ++i) sample.add(points[i] - centroid);
     packer.add(along.dot(sample.mean()), up.dot(sample.mean()),
@@ -35,8 +35,8 @@ Ribbon ribbon_of(const std::vector<Eigen::Vector3d>& points, const Eigen::Vector
   ribbon.normal = up.cast<float>();
   ribbon.along = along.cast<float>();
   ribbon.last_beam = static_cast<std::uint32_t>(points.size() - 1);
-  ribbon.area_m2 = static_cast<float>(points.size() * spacing_m * line_step_m);
-  moments.spread(line_step_m * up.cross(along));
+  ribbon.area_m2 = static_cast<float>(points.size() * kSpacing_m * kLineStep_m);
+  moments.spread(kLineStep_m * up.cross(along));
   ribbon.moments = moments;
   ribbon.samples = packer.pack();
   ribbon.length_m = ribbon.samples.length_m();
@@ -46,7 +46,7 @@ Ribbon ribbon_of(const std::vector<Eigen::Vector3d>& points, const Eigen::Vector
 
 Ribbon ribbon_between(const Eigen::Vector3d& from, const Eigen::Vector3d& to,
                       const Eigen::Vector3d& normal) {
-  const int steps = static_cast<int>(std::lround((to - from).norm() / spacing_m));
+  const int steps = static_cast<int>(std::lround((to - from).norm() / kSpacing_m));
   std::vector<Eigen::Vector3d> points;
   for (int i = 0; i <= steps; ++i) points.push_back(from + (to - from) * i / steps);
   return ribbon_of(points, normal);

@@ -13,19 +13,21 @@ namespace {
 using Vector = Eigen::Vector3d;
 using Slots = std::vector<std::uint32_t>;
 
-constexpr double voxel_m = 0.5;
-constexpr CubeSides all_cube_sides = (1 << kCubeSides) - 1;
+constexpr double kVoxel_m = 0.5;
+constexpr CubeSides kAllSides = (1 << kCubeSides) - 1;
 
 Vector random_point(std::mt19937& random) {
   std::uniform_real_distribution<double> in(-3.0, 3.0);
   return {in(random), in(random), in(random)};
 }
 
+/// Returns true if two points lie in the same voxel or in neighbouring ones.
 bool are_neighbours(const Vector& a, const Vector& b) {
-  const Vector va = (a / voxel_m).array().floor(), vb = (b / voxel_m).array().floor();
+  const Vector va = (a / kVoxel_m).array().floor(), vb = (b / kVoxel_m).array().floor();
   return (va - vb).cwiseAbs().maxCoeff() <= 1.0;
 }
 
+/// Returns the ascending slots near a point that are listed for a side.
 Slots near(VoxelIndex& index, const Vector& point, int side = 0) {
   Slots slots;
   const auto all = [](std::uint32_t) { return true; };
@@ -34,33 +36,33 @@ Slots near(VoxelIndex& index, const Vector& point, int side = 0) {
   return slots;
 }
 
-TEST(VoxelIndex, FindsWhatIsInTheVoxelOrNextToIt) {
+TEST(VoxelIndex, FindsHypothesesInTheVoxelAndItsNeighbours) {
   std::mt19937 random(8);
-  VoxelIndex index(voxel_m);
+  VoxelIndex index(kVoxel_m);
   std::vector<std::vector<Vector>> places(30);
   for (std::uint32_t slot = 0; slot < 30; ++slot) {
     Slots keys;
     for (int i = 0; i < 5; ++i) {
-      places[slot].push_back(random_point(random));
-      keys.push_back(index.voxel_at(places[slot].back()));
+      points[slot].push_back(random_point(random));
+      keys.push_back(index.voxel_at(points[slot].back()));
     }
-    index.list(slot, all_cube_sides);
+    index.list(slot, kAllSides);
     index.enter(slot, keys);
   }
   for (int i = 0; i < 500; ++i) {
     const Vector point = random_point(random);
     Slots slow;
     for (std::uint32_t slot = 0; slot < 30; ++slot) {
-      const auto& own = places[slot];
-      const auto is_near = [&](const Vector& place) { return are_neighbours(place, point); };
+      const auto& own = points[slot];
+      const auto is_near = [&](const Vector& other) { return are_neighbours(other, point); };
       if (std::any_of(own.begin(), own.end(), is_near)) slow.push_back(slot);
     }
     EXPECT_EQ(slow, near(index, point));
   }
 }
 
-TEST(VoxelIndex, WhatIsRemovedLeavesItsVoxelsToAnother) {
-  VoxelIndex index(voxel_m);
+TEST(VoxelIndex, ReturnsTheVoxelsOfARemovedHypothesis) {
+  VoxelIndex index(kVoxel_m);
   index.list(0, 1), index.list(1, 1);
   index.enter(0, {index.voxel_at({0.1, 0.1, 0.1})});
   index.enter(1, {index.voxel_at({2.1, 0.1, 0.1}), index.voxel_at({2.6, 0.1, 0.1})});
@@ -71,8 +73,8 @@ TEST(VoxelIndex, WhatIsRemovedLeavesItsVoxelsToAnother) {
   EXPECT_TRUE(index.touched_by(1).empty());
 }
 
-TEST(VoxelIndex, IsFoundFromItsSidesOnly) {
-  VoxelIndex index(voxel_m);
+TEST(VoxelIndex, FindsHypothesesForTheirSidesOnly) {
+  VoxelIndex index(kVoxel_m);
   const std::vector<std::uint32_t> here{index.voxel_at({0.1, 0.1, 0.1})};
   index.list(0, 1 << 2);
   index.enter(0, here);
@@ -80,10 +82,11 @@ TEST(VoxelIndex, IsFoundFromItsSidesOnly) {
   index.list(0, 1 << 3);
   EXPECT_EQ(Slots{0}, near(index, {0.1, 0.1, 0.1}, 3));
   EXPECT_EQ(Slots{0}, near(index, {0.1, 0.1, 0.1}, 2));
-  EXPECT_EQ(Slots{0}, near(index, {-0.1, 0.1, 0.1}, 3));  // met after the slot was entered
+  EXPECT_EQ(Slots{0},
+            near(index, {-0.1, 0.1, 0.1}, 3));  // a voxel created after the slot was entered
 }
 
-TEST(CubeSides, HoldAllThatIsWithinReach) {
+TEST(CubeSides, ContainAllDirectionsWithinReach) {
   std::mt19937 random(3);
   std::normal_distribution<double> noise;
   const auto direction = [&] { return Vector(noise(random), noise(random), noise(random)); };
@@ -99,12 +102,12 @@ TEST(CubeSides, HoldAllThatIsWithinReach) {
       EXPECT_TRUE(sides & (1 << cube_side(b)));
     }
   }
-  EXPECT_LT(more_than_one, 1000);  // of 2000: a list of all would be no use
+  EXPECT_LT(more_than_one, 1000);  // of 2000: most sets must be small to be of use
 }
 
-TEST(VoxelIndex, FarAwayIsNowhere) {
-  VoxelIndex index(voxel_m);
-  index.list(0, all_cube_sides);
+TEST(VoxelIndex, FindsNothingFarAway) {
+  VoxelIndex index(kVoxel_m);
+  index.list(0, kAllSides);
   index.enter(0, {index.voxel_at({0.1, 0.1, 0.1})});
   EXPECT_TRUE(near(index, {-400.0, 30.0, 2.0}).empty());
   EXPECT_TRUE(near(index, {1.1, 0.1, 0.1}).empty());

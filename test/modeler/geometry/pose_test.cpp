@@ -26,7 +26,7 @@ TEST(Time, IsExactToTheNanosecond) {
   EXPECT_DOUBLE_EQ(12.345678901, to_seconds(Time(12'345'678'901)));
 }
 
-TEST(Interpolate, EndsAreThePosesThemselves) {
+TEST(Interpolate, ReturnsThePosesAtTheEnds) {
   std::mt19937 random(1);
   for (int i = 0; i < 20; ++i) {
     const Pose a = random_pose(random), b = random_pose(random);
@@ -36,7 +36,7 @@ TEST(Interpolate, EndsAreThePosesThemselves) {
   }
 }
 
-TEST(Interpolate, TurnsAtConstantSpeedTheShorterWay) {
+TEST(Interpolate, RotatesTheShorterWayAtConstantSpeed) {
   const Pose a = planar_pose(0.0, 0.0, 3.0), b = planar_pose(1.0, 2.0, -3.0);
   const double turn = 2.0 * M_PI - 6.0;
   for (const double fraction : {0.1, 0.5, 0.8}) {
@@ -53,14 +53,14 @@ TEST(Interpolate, DoesNotDependOnTheFrame) {
   }
 }
 
-TEST(PlanarPose, TakesPointsFromTheBaseToTheMap) {
+TEST(PlanarPose, TransformsPointsFromBaseToMap) {
   const Pose T_map_base = planar_pose(1.0, 2.0, M_PI_2);
   EXPECT_LT((T_map_base * Eigen::Vector3d(3.0, 0.0, 0.5) - Eigen::Vector3d(1.0, 5.0, 0.5)).norm(),
             1e-12);
   EXPECT_DOUBLE_EQ(-2.5, yaw_of(planar_pose(4.0, 5.0, -2.5)));
 }
 
-TEST(AngleOf, IsTheTurnWhateverItsAxis) {
+TEST(AngleOf, IsIndependentOfTheAxis) {
   for (const Eigen::Vector3d& axis :
        {Eigen::Vector3d(1, 0, 0), Eigen::Vector3d(0.6, 0, -0.8), Eigen::Vector3d(0, 0, -1)}) {
     EXPECT_NEAR(0.7, angle_of(Pose(Eigen::AngleAxisd(0.7, axis))), 1e-12);
@@ -68,7 +68,7 @@ TEST(AngleOf, IsTheTurnWhateverItsAxis) {
   }
 }
 
-TEST(IsValid, OnlyFiniteRigidTransforms) {
+TEST(IsValid, AcceptsOnlyFiniteRigidTransforms) {
   std::mt19937 random(3);
   EXPECT_TRUE(is_valid(random_pose(random)));
   for (const double bad :

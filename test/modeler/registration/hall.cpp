@@ -20,7 +20,8 @@ std::vector<PlaneLandmark> planes() {
 Pose true_pose(int line) { return planar_pose(0.05 * (line + 1), 0.0, 0.02 * (line + 1)); }
 
 std::vector<Ribbon> ribbons_of_line(int line) {
-  const double x = 1.5 + 0.05 * (line % 20 + 1), z = 0.5 + 0.05 * (line % 20 + 1);
+  const double offset_m = 0.05 * (9 * line % 23 + 1);  // ribbons of successive lines lie apart
+  const double x = 1.5 + offset_m, z = 0.5 + offset_m;
   const std::vector<std::pair<Vector3d, Vector3d>> ends{{{x, 2.0, 0.0}, {x + 1.0, -1.0, 0.0}},
                                                         {{1.0, 3.0, z}, {3.0, 3.0, z + 0.5}},
                                                         {{4.0, -1.0, z}, {4.0, 2.0, z - 0.3}}};

@@ -20,7 +20,7 @@ std::vector<PlaneLandmark> planes();
 Pose true_pose(int line);
 
 /// The ribbons that the robot sees from a line: one on each of planes(), in that order. They lie
-/// aslant and move from line to line.
+/// aslant, and half a metre or so apart from line to line.
 std::vector<Ribbon> ribbons_of_line(int line);
 
 /// The observations of ribbons_of_line() with ranges of 1 cm, each with its plane as candidate.

@@ -230,8 +230,8 @@ TEST(Measure, PutsThePoseWhereTheRibbonsFit) {
   const RibbonsOfLine observations{observed(Walls::ribbon_at(2.0, 0.6), wall),
                                    observed(Walls::ribbon_at(2.0, 0.8), wall)};
   const PoseBelief result = updated(drifted, wall.measure(observations, drifted));
-  EXPECT_NEAR(0.0, result.T_model_base.translation().x(), 0.003);
-  EXPECT_NEAR(0.0, yaw_of(result.T_model_base), 0.003);
+  EXPECT_NEAR(0.0, result.T_model_base.translation().x(), 0.005);
+  EXPECT_NEAR(0.0, yaw_of(result.T_model_base), 0.005);
   EXPECT_NEAR(0.03, result.T_model_base.translation().y(), 0.005) << "a wall does not say where";
   EXPECT_LT(result.covariance(5, 5), 0.1 * drifted.covariance(5, 5));
   EXPECT_NEAR(drifted.covariance(1, 1), result.covariance(1, 1), 0.1 * drifted.covariance(1, 1));

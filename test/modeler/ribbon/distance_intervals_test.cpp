@@ -10,24 +10,24 @@
 namespace ribbon_mapper {
 namespace {
 
-constexpr double gap = 0.06;
+constexpr double kGap = 0.06;
 
-/// By sorting: the interval of each number.
+/// Returns the interval of each number, found by sorting.
 std::map<double, std::size_t> sorted_intervals(std::vector<double> numbers) {
   std::sort(numbers.begin(), numbers.end());
   std::map<double, std::size_t> intervals;
   std::size_t interval = 0;
   for (std::size_t i = 0; i < numbers.size(); ++i) {
-    if (i > 0 && numbers[i] - numbers[i - 1] > gap) ++interval;
+    if (i > 0 && numbers[i] - numbers[i - 1] > kGap) ++interval;
     intervals[numbers[i]] = interval;
   }
   return intervals;
 }
 
-TEST(DistanceIntervals, AreThoseOfSortedNumbers) {
+TEST(DistanceIntervals, EqualThoseOfSortedNumbers) {
   std::mt19937 random(4);
-  DistanceIntervals intervals(gap);
-  std::size_t most = 0;
+  DistanceIntervals intervals(kGap);
+  std::size_t max_intervals = 0;
   for (int run = 0; run < 500; ++run) {
     const int count = 1 + run % 60;
     std::uniform_real_distribution<double> number(-1.0, 1.0 + 0.01 * run);
@@ -38,13 +38,13 @@ TEST(DistanceIntervals, AreThoseOfSortedNumbers) {
     for (const auto& [n, interval] : sorted_intervals(numbers)) {
       ASSERT_EQ(interval, intervals.of(n)) << "run " << run << ", number " << n;
     }
-    most = std::max(most, intervals.size());
+    max_intervals = std::max(max_intervals, intervals.size());
   }
-  EXPECT_GT(most, 15u);
+  EXPECT_GT(max_intervals, 15u);
 }
 
-TEST(DistanceIntervals, ANumberBetweenTwoUnitesThem) {
-  DistanceIntervals intervals(gap);
+TEST(DistanceIntervals, AreUnitedByANumberBetweenThem) {
+  DistanceIntervals intervals(kGap);
   for (const double n : {0.0, 0.11, 1.0}) intervals.add(n);
   ASSERT_EQ(3u, intervals.size());
   intervals.add(0.055);

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: 2026 ribbon_mapper authors
 // SPDX-License-Identifier: BSD-3-Clause
 //
-// The paper takes its normals from PCL. The core sums moments instead; on the same neighbours both
-// must say the same. The only file that includes PCL's heavy headers.
+// The paper takes its normals from PCL, the core from summed moments. With the same neighbours both
+// must agree. This is the only file that includes PCL's headers, which are slow to compile.
 #include <gtest/gtest.h>
 #include <pcl/features/normal_3d.h>
 #include <pcl/point_types.h>
@@ -18,6 +18,7 @@ namespace {
 
 using namespace mini_world;
 
+/// Returns the points of these beams of all lines relative to `origin`.
 pcl::PointCloud<pcl::PointXYZ> neighbours(const LineTriple& lines, const BeamRange& around,
                                           const Eigen::Vector3d& origin) {
   pcl::PointCloud<pcl::PointXYZ> cloud;
@@ -30,16 +31,18 @@ pcl::PointCloud<pcl::PointXYZ> neighbours(const LineTriple& lines, const BeamRan
   return cloud;
 }
 
-/// What PCL's single precision may do to a normal: its error grows as the base line across the
-/// lines shrinks against the length along them.
+/// Returns the error of a normal that PCL's single precision may cause. It grows as the base line
+/// across the lines shrinks relative to the length along them.
 double rounding_rad(const PlaneFit& fit) {
   return 200.0 * std::numeric_limits<float>::epsilon() * fit.variances[2] /
          (fit.variances[1] - fit.variances[0]);
 }
 
+/// The agreement of normals with PCL's.
 struct Comparison {
-  int surfels = 0, sharp = 0;  ///< sharp: PCL's rounding is below 0.2 degrees
-  double max_roundings = 0.0;
+  int surfels = 0;             ///< normals compared
+  int sharp = 0;               ///< of which PCL's rounding error is below 0.2 degrees
+  double max_roundings = 0.0;  ///< largest angle between normals, in units of rounding_rad()
 };
 
 void compare_with_pcl(const LineTriple& lines, const RibbonConfig& config, Comparison& result) {
@@ -75,7 +78,7 @@ TEST(Normals, AgreeWithPclOnTheSameNeighbours) {
   }
 }
 
-TEST(Normals, AreThoseOfTheFaces) {
+TEST(Normals, EqualThoseOfTheFaces) {
   const Motion motion{around_the_middle, to_and_fro, no_drift};
   const LineTriple lines = three_lines(room(), motion, 1.0, {361, 0.0, 1});
   std::vector<Surfel> surfels;
@@ -90,7 +93,7 @@ TEST(Normals, AreThoseOfTheFaces) {
       moments += lines.previous.moments(around.begin, around.end);
       moments += lines.next.moments(around.begin, around.end);
       if (moments.mean_square_distance(face.normal, face.d_m) > 1e-8) continue;  // at an edge
-      EXPECT_GT(surfel.normal.dot(face.normal), 1.0 - 1e-5);  // towards the sensor
+      EXPECT_GT(surfel.normal.dot(face.normal), 1.0 - 1e-5);  // pointing to the sensor
       ++on_one_face;
     }
   }

@@ -8,6 +8,7 @@
 #include <cmath>
 #include <memory>
 
+#include "modeler/geometry/angles.hpp"
 #include "modeler/observations/posed_ribbon.hpp"
 #include "test/modeler/ribbon/three_lines.hpp"
 
@@ -16,8 +17,7 @@ namespace {
 
 using namespace mini_world;
 
-constexpr double degree = M_PI / 180.0;
-
+/// Returns the configuration for a laser with less noise than the default.
 ScanConfig precise() {
   ScanConfig config;
   config.range_sigma_m = 0.005;
@@ -26,24 +26,26 @@ ScanConfig precise() {
 
 /// Returns the ribbons of the middle line; their samples last as long as the test.
 std::vector<Ribbon> ribbons_of(const ThreeLines& lines, const RibbonConfig& config = {}) {
-  static std::vector<std::unique_ptr<RibbonExtraction>> extractions;  // they own the samples
+  static std::vector<std::unique_ptr<RibbonExtraction>> extractions;  // own the samples
   extractions.push_back(std::make_unique<RibbonExtraction>(precise(), config));
   return extractions.back()->extract(lines).ribbons;
 }
 
+/// Returns three lines of a laser with little noise.
 LineTriple precise_lines(const World& world, const Motion& motion, double middle_s = 0.0) {
   return three_lines(world, motion, middle_s, {361, 0.005, 3}, precise());
 }
 
+/// Returns the azimuth of a beam.
 double azimuth_rad(std::uint32_t beam) { return -M_PI_2 + beam * M_PI / 360.0; }
 
-/// The one face that a ribbon lies on; none if it lies on none.
+/// Returns the face that a ribbon lies on, or null.
 const Face* face_of(const World& world, const Ribbon& ribbon, const Pose& T_map_base,
                     double angle_deg = 5.0) {
   const Eigen::Vector3d normal = T_map_base.linear() * ribbon.normal.cast<double>();
   const Eigen::Vector3d centroid = T_map_base * ribbon.moments.mean();
   for (const Face& face : world) {
-    if (face.normal.dot(normal) > std::cos(angle_deg * degree) &&
+    if (face.normal.dot(normal) > std::cos(angle_deg * kDegree) &&
         std::abs(face.normal.dot(centroid) + face.d_m) < 0.01) {
       return &face;
     }
@@ -51,19 +53,19 @@ const Face* face_of(const World& world, const Ribbon& ribbon, const Pose& T_map_
   return nullptr;
 }
 
-TEST(RibbonExtraction, OneForEachWallOfARoomEndingAtItsCorners) {
+TEST(RibbonExtraction, FindsOneRibbonPerWallBetweenCorners) {
   const auto ribbons = ribbons_of(precise_lines(room(), tilting(0.8)));
   ASSERT_EQ(3u, ribbons.size());
   const double corner = std::atan2(2.5, 3.0);
-  EXPECT_NEAR(-corner, azimuth_rad(ribbons[0].last_beam), 1.5 * degree);
-  EXPECT_NEAR(-corner, azimuth_rad(ribbons[1].first_beam), 1.5 * degree);
-  EXPECT_NEAR(corner, azimuth_rad(ribbons[1].last_beam), 1.5 * degree);
-  EXPECT_NEAR(corner, azimuth_rad(ribbons[2].first_beam), 1.5 * degree);
+  EXPECT_NEAR(-corner, azimuth_rad(ribbons[0].last_beam), 1.5 * kDegree);
+  EXPECT_NEAR(-corner, azimuth_rad(ribbons[1].first_beam), 1.5 * kDegree);
+  EXPECT_NEAR(corner, azimuth_rad(ribbons[1].last_beam), 1.5 * kDegree);
+  EXPECT_NEAR(corner, azimuth_rad(ribbons[2].first_beam), 1.5 * kDegree);
   EXPECT_NEAR(5.0, ribbons[1].samples.length_m(), 0.2);
   EXPECT_GT(std::abs(ribbons[1].along.y()), 0.999);
 }
 
-TEST(RibbonExtraction, RibbonsLieOnTheirFacesInTheFrameOfTheirPose) {
+TEST(RibbonExtraction, PutsRibbonsOnTheirFacesInTheFrameOfTheirPose) {
   const World world = room();
   const Pose T_map_base = planar_pose(0.4, -0.3, 0.7);
   for (const double tilt_rad : {-0.3, 0.0, 0.4}) {
@@ -79,7 +81,7 @@ TEST(RibbonExtraction, RibbonsLieOnTheirFacesInTheFrameOfTheirPose) {
   }
 }
 
-TEST(RibbonExtraction, TheMomentsPlaneIsTheRibbons) {
+TEST(RibbonExtraction, GivesMomentsWhosePlaneIsTheRibbons) {
   for (const Ribbon& ribbon : ribbons_of(precise_lines(room(), tilting(0.8)))) {
     EXPECT_GT(std::abs(fit_plane(ribbon.moments.transformed(Pose::Identity()))
                            .normal()
@@ -89,7 +91,7 @@ TEST(RibbonExtraction, TheMomentsPlaneIsTheRibbons) {
   }
 }
 
-TEST(RibbonExtraction, RibbonsAndUnassignedPointsAreAllReturnsOnce) {
+TEST(RibbonExtraction, PutsEachReturnInOneRibbonOrAmongTheUnassigned) {
   const LineTriple lines = precise_lines(room(), {around_the_middle, to_and_fro, no_drift}, 1.7);
   RibbonExtraction extraction(precise(), {});
   const LineObservations& line = extraction.extract(lines);
@@ -104,14 +106,15 @@ TEST(RibbonExtraction, RibbonsAndUnassignedPointsAreAllReturnsOnce) {
   EXPECT_EQ(lines.middle.moments(0, 361).weight(), points);
 }
 
-/// A table in the corner of two walls, looked at from above and far away.
+/// Returns a table in the corner of two walls, which is seen from above and far away.
 World table_in_a_corner() {
   return {plane(-Eigen::Vector3d::UnitX(), 4.8), plane(-Eigen::Vector3d::UnitY(), 0.8),
           plane(Eigen::Vector3d::UnitZ(), -0.75, {3.4, -0.6, 0}, {4.8, 0.8, 2}),
           plane(Eigen::Vector3d::UnitZ(), 0.0)};
 }
 
-/// How far samples of ribbons on the table lie above it [m]: on average the highest of a ribbon.
+/// Returns how far the highest sample of a ribbon on the table lies above it, on average over
+/// ribbons [m].
 double highest_over_the_table_m(const ScanConfig& scan) {
   double sum_m = 0.0;
   int ribbons = 0;
@@ -134,14 +137,14 @@ double highest_over_the_table_m(const ScanConfig& scan) {
   return sum_m / ribbons;
 }
 
-TEST(RibbonExtraction, AtASlantTheFootOfTheWallBehindIsNoNoise) {
+TEST(RibbonExtraction, SeparatesTheBaseOfTheWallBehindAtAGrazingAngle) {
   ScanConfig scan, as_if_seen_from_above;
-  as_if_seen_from_above.direction_sigma_deg = 0.25;  // then both errors are alike
+  as_if_seen_from_above.direction_sigma_deg = 0.25;  // makes both errors similar
   EXPECT_LT(highest_over_the_table_m(scan), 0.02);
   EXPECT_GT(highest_over_the_table_m(as_if_seen_from_above), 0.03);
 }
 
-TEST(RibbonExtraction, FarRibbonsHaveTheirAreaCapped) {
+TEST(RibbonExtraction, CapsTheAreaOfFarRibbons) {
   const World far{plane(-Eigen::Vector3d::UnitX(), 20.0)};
   const auto ribbons = ribbons_of(precise_lines(far, tilting(0.8)));
   ASSERT_FALSE(ribbons.empty());
@@ -150,13 +153,13 @@ TEST(RibbonExtraction, FarRibbonsHaveTheirAreaCapped) {
   }
 }
 
-/// A wall that steps back by 9 cm at y = 0: too little for a jump in depth.
+/// Returns a wall that steps back by 9 cm at y = 0, too little for a jump in depth.
 World stepped_wall() {
   return {plane(-Eigen::Vector3d::UnitX(), 3.0, {0, -9, -9}, {9, 0, 9}),
           plane(-Eigen::Vector3d::UnitX(), 3.09, {0, 0, -9}, {9, 9, 9})};
 }
 
-TEST(RibbonExtraction, FacesOfOneDirectionAreSplitByDistance) {
+TEST(RibbonExtraction, SplitsParallelFacesByDistance) {
   const World world = stepped_wall();
   const LineTriple lines = precise_lines(world, tilting(0.8));
   ASSERT_GT(lines.middle.end_of_segment[175], 190u);  // one segment for both
@@ -171,8 +174,8 @@ TEST(RibbonExtraction, FacesOfOneDirectionAreSplitByDistance) {
   EXPECT_NE(2u, ribbons_of(lines, undivided).size());
 }
 
-/// Number of ribbons that lie on neither face while the lines sweep over the edge of a floor.
-int bevels(const RibbonConfig& config) {
+/// Returns the number of ribbons that lie on neither face while lines pass the edge of a floor.
+int count_ribbons_across_edge(const RibbonConfig& config) {
   const Eigen::Vector3d corner(9.0, 1.5, 9.0);
   const World world{plane(-Eigen::Vector3d::UnitX(), 3.0, -corner, corner),
                     plane(Eigen::Vector3d::UnitZ(), 0.0, -corner, corner)};
@@ -186,13 +189,13 @@ int bevels(const RibbonConfig& config) {
   return count;
 }
 
-TEST(RibbonExtraction, LinesThatStraddleAnEdgeMakeNoBevel) {
-  RibbonConfig tolerant;  // what is below the noise is left to the map: see bevel_test.cpp
+TEST(RibbonExtraction, RejectsRibbonsAcrossAnEdge) {
+  RibbonConfig tolerant;  // the rest is removed as spurious planes
   tolerant.edge_sigmas = 100.0;
   tolerant.edge_slack_m = 1.0;
-  const int without_check = bevels(tolerant);
+  const int without_check = count_ribbons_across_edge(tolerant);
   EXPECT_GT(without_check, 8);
-  EXPECT_LT(bevels({}), without_check / 4);
+  EXPECT_LT(count_ribbons_across_edge({}), without_check / 4);
 }
 
 /// Returns lines with mixed pixels at a horizontal edge: each line sees the wall further away.
@@ -206,14 +209,14 @@ LineTriple mixed_pixels() {
   return placed(lines, precise());
 }
 
-TEST(RibbonExtraction, MixedPixelsAlongTheBeamsAreNoRibbon) {
+TEST(RibbonExtraction, RejectsMixedPixelsAlongTheBeams) {
   RibbonConfig tolerant;
   tolerant.min_grazing_angle_deg = 0.0;
   EXPECT_FALSE(ribbons_of(mixed_pixels(), tolerant).empty());
   EXPECT_TRUE(ribbons_of(mixed_pixels()).empty());
 }
 
-TEST(RibbonExtraction, WhatIsTooShortIsNoRibbon) {
+TEST(RibbonExtraction, RejectsShortRibbons) {
   const auto board = [](double width_m) {
     const Eigen::Vector3d corner(9.0, 0.5 * width_m, 9.0);
     return World{plane(-Eigen::Vector3d::UnitX(), 1.0, -corner, corner)};
@@ -224,11 +227,11 @@ TEST(RibbonExtraction, WhatIsTooShortIsNoRibbon) {
   EXPECT_NEAR(0.3, ribbons[0].samples.length_m(), RibbonConfig{}.sample_length_m);
 }
 
-TEST(RibbonExtraction, NoReturnsNoRibbons) {
+TEST(RibbonExtraction, FindsNothingWithoutReturns) {
   EXPECT_TRUE(ribbons_of(precise_lines({}, tilting(0.8))).empty());
 }
 
-TEST(RibbonExtraction, KeepsNothingFromLineToLine) {
+TEST(RibbonExtraction, IsIndependentOfFormerLines) {
   const LineTriple a = precise_lines(room(), tilting(0.8, 0.2));
   const LineTriple b = precise_lines(stepped_wall(), tilting(0.8));
   RibbonExtraction extraction(precise(), {});

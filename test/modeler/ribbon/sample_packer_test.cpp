@@ -11,11 +11,13 @@
 namespace ribbon_mapper {
 namespace {
 
+/// A sample as given to the packer.
 struct Sample {
   double along_m, height_m;
   std::size_t count;
 };
 
+/// Returns the samples in their order.
 std::vector<Sample> unpacked(const RibbonSamples& samples) {
   std::vector<Sample> result;
   samples.for_each([&](float along_m, float height_m, std::uint32_t count) {
@@ -24,7 +26,7 @@ std::vector<Sample> unpacked(const RibbonSamples& samples) {
   return result;
 }
 
-TEST(SamplePacker, KeepsPlacesToHalfAStepHoweverMany) {
+TEST(SamplePacker, KeepsPositionsToHalfAStep) {
   std::mt19937 random(5);
   std::uniform_real_distribution<double> advance_m(0.02, 0.2);
   std::normal_distribution<double> height_m(0.0, 0.01);
@@ -45,7 +47,7 @@ TEST(SamplePacker, KeepsPlacesToHalfAStepHoweverMany) {
   }
 }
 
-TEST(SamplePacker, TakesLongStretchesAndManyPoints) {
+TEST(SamplePacker, PacksLongGapsAndManyPoints) {
   SamplePacker packer;
   packer.add(0.0, 0.0, 0.0, 1);
   packer.add(12.0, 0.001, 1e-6, 700);
@@ -59,14 +61,14 @@ TEST(SamplePacker, TakesLongStretchesAndManyPoints) {
   EXPECT_EQ(701u, points);
 }
 
-TEST(SamplePacker, TellsTheVarianceAboutTheMeans) {
+TEST(SamplePacker, ReturnsTheVarianceAboutTheMeans) {
   SamplePacker packer;
   packer.add(0.0, 0.01, 0.01 * 0.01 + 4e-6, 10);
   packer.add(0.1, -0.01, 0.01 * 0.01 + 1e-6, 5);
   EXPECT_NEAR(3e-6, packer.pack().variance_m2, 1e-9);
 }
 
-TEST(SamplePacker, ForgetsTheRibbonBefore) {
+TEST(SamplePacker, StartsAgainAfterPacking) {
   SamplePacker packer;
   packer.add(1.0, 0.02, 4e-4, 3);
   packer.pack();

@@ -35,7 +35,7 @@ double patch_m2(double range_m, double tilt_step_rad, double azimuth_rad, double
           std::sin(azimuth_rad - 0.5 * beam_step_rad));
 }
 
-TEST(SurfelArea, IsThatOfThePatchThatTheBeamCovers) {
+TEST(SurfelArea, EqualsThePatchThatTheBeamCovers) {
   const double step_rad = 0.02;
   const LineTriple lines = lines_at({0.3, 0.3 + step_rad, 0.3 + 2.0 * step_rad});
   for (std::size_t beam = 1; beam < 720; ++beam) {
@@ -50,7 +50,8 @@ TEST(SurfelArea, VanishesAtTheTiltAxis) {
   const double ahead_m2 = surfel_area_m2(lines, 360);
   EXPECT_LT(surfel_area_m2(lines, 0), 1e-6 * ahead_m2);
   EXPECT_LT(surfel_area_m2(lines, 720), 1e-6 * ahead_m2);
-  EXPECT_NEAR(0.5 * ahead_m2, surfel_area_m2(lines, 120), 1e-3 * ahead_m2);  // 60 degrees aside
+  EXPECT_NEAR(0.5 * ahead_m2, surfel_area_m2(lines, 120),
+              1e-3 * ahead_m2);  // 60 degrees to the side
 }
 
 TEST(SurfelArea, GrowsWithTheSquareOfTheRange) {
@@ -64,11 +65,11 @@ TEST(SurfelArea, IsSmallAtAReversal) {
   EXPECT_NEAR(0.5 * steady_m2, surfel_area_m2(lines_at({0.00, 0.02, 0.02}), 360), 1e-3 * steady_m2);
 }
 
-TEST(SurfelArea, OfAStandingLaserIsNone) {
+TEST(SurfelArea, IsZeroForAStandingLaser) {
   EXPECT_EQ(0.0, surfel_area_m2(lines_at({0.1, 0.1, 0.1}), 360));
 }
 
-/// Sum over a sweep from -`amplitude` to +`amplitude`, seen from within a sphere.
+/// Returns the sum of all areas while the laser tilts as given, inside a sphere of 5 m radius.
 double swept_m2(const std::function<double(double)>& tilt_at_share, int steps) {
   double sum = 0.0;
   for (int k = 0; k <= steps; ++k) {
@@ -81,7 +82,7 @@ double swept_m2(const std::function<double(double)>& tilt_at_share, int steps) {
   return sum;
 }
 
-TEST(SurfelArea, SurfelsTileWhatWasSweptWhateverTheProfile) {
+TEST(SurfelArea, AddsUpToTheSweptAreaForAnyTiltProfile) {
   const double amplitude = 0.8;
   const double band_m2 = 5.0 * 5.0 * 2.0 * amplitude * 2.0;  // of the sphere, 180 degrees wide
   const auto linear = [&](double share) { return amplitude * (2.0 * share - 1.0); };
@@ -90,7 +91,7 @@ TEST(SurfelArea, SurfelsTileWhatWasSweptWhateverTheProfile) {
   EXPECT_NEAR(band_m2, swept_m2(sine, 80), 0.005 * band_m2);
 }
 
-TEST(EstimateSurfels, FarAreasAreCapped) {
+TEST(EstimateSurfels, CapsFarAreas) {
   const World wall{plane(-Eigen::Vector3d::UnitX(), 20.0)};
   const LineTriple lines = three_lines(wall, tilting(0.8));
   RibbonConfig config;
@@ -104,7 +105,7 @@ TEST(EstimateSurfels, FarAreasAreCapped) {
   }
 }
 
-TEST(EstimateSurfels, NearAreasAreNot) {
+TEST(EstimateSurfels, DoesNotCapNearAreas) {
   const World wall{plane(-Eigen::Vector3d::UnitX(), 1.0)};
   const LineTriple lines = three_lines(wall, tilting(0.8));
   std::vector<Surfel> surfels;
@@ -116,7 +117,7 @@ TEST(EstimateSurfels, NearAreasAreNot) {
       all += surfel_area_m2(lines, i);
     }
   }
-  EXPECT_GT(sum, 0.9 * all);  // one surfel stands for the beams that it skips
+  EXPECT_GT(sum, 0.9 * all);  // a surfel includes the beams that it skips
 }
 
 }  // namespace

@@ -18,8 +18,11 @@ inline Motion tilting(double tilt_speed_rad_s, double tilt_rad = 0.0,
 
 /// Three scan lines, which ThreeLines refers to.
 struct LineTriple {
-  ScanLine previous, middle, next;
+  ScanLine previous;  ///< line before the middle one
+  ScanLine middle;    ///< line whose ribbons are extracted
+  ScanLine next;      ///< line after the middle one
 
+  /// Refers to the lines.
   operator ThreeLines() const { return {previous, middle, next}; }
 };
 

@@ -10,9 +10,10 @@
 namespace ribbon_mapper {
 namespace {
 
-constexpr double inf = std::numeric_limits<double>::infinity();
-constexpr double nan_ = std::numeric_limits<double>::quiet_NaN();
+constexpr double kInf = std::numeric_limits<double>::infinity();
+constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
 
+/// Returns beams without a defect.
 LaserBeams good_beams() {
   LaserBeams beams;
   beams.angle_min_rad = -M_PI;
@@ -24,33 +25,33 @@ LaserBeams good_beams() {
   return beams;
 }
 
-TEST(DefectOf, NoneInGoodLines) {
+TEST(FindDefect, AcceptsGoodLines) {
   EXPECT_FALSE(find_defect(good_beams(), {}));
   LaserBeams beams = good_beams();
   beams.angle_increment_rad *= -1.0;  // clockwise
   EXPECT_FALSE(find_defect(beams, {}));
   beams = good_beams();
-  beams.range_max_m = inf;
+  beams.range_max_m = kInf;
   EXPECT_FALSE(find_defect(beams, {}));
-  beams.ranges_m.clear();  // no returns, but nothing wrong
+  beams.ranges_m.clear();  // no returns are no defect
   EXPECT_FALSE(find_defect(beams, {}));
   beams = good_beams();
-  beams.time_increment_s = 0.0;  // all at once
+  beams.time_increment_s = 0.0;  // all beams at the same time
   EXPECT_FALSE(find_defect(beams, {}));
 }
 
-TEST(DefectOf, EachBadFieldOfTheBeams) {
+TEST(FindDefect, FindsEachBadField) {
   const std::vector<std::function<void(LaserBeams&)>> defects{
-      [](LaserBeams& b) { b.angle_min_rad = nan_; },
-      [](LaserBeams& b) { b.angle_min_rad = inf; },
-      [](LaserBeams& b) { b.angle_increment_rad = nan_; },
-      [](LaserBeams& b) { b.angle_increment_rad = -inf; },
+      [](LaserBeams& b) { b.angle_min_rad = kNan; },
+      [](LaserBeams& b) { b.angle_min_rad = kInf; },
+      [](LaserBeams& b) { b.angle_increment_rad = kNan; },
+      [](LaserBeams& b) { b.angle_increment_rad = -kInf; },
       [](LaserBeams& b) { b.angle_increment_rad = 0.0; },
-      [](LaserBeams& b) { b.time_increment_s = nan_; },
-      [](LaserBeams& b) { b.time_increment_s = inf; },
-      [](LaserBeams& b) { b.range_min_m = nan_; },
+      [](LaserBeams& b) { b.time_increment_s = kNan; },
+      [](LaserBeams& b) { b.time_increment_s = kInf; },
+      [](LaserBeams& b) { b.range_min_m = kNan; },
       [](LaserBeams& b) { b.range_min_m = -0.1; },
-      [](LaserBeams& b) { b.range_max_m = nan_; },
+      [](LaserBeams& b) { b.range_max_m = kNan; },
       [](LaserBeams& b) { b.range_max_m = 0.0; },
       [](LaserBeams& b) { b.ranges_m.resize(800); }};
   for (std::size_t i = 0; i < defects.size(); ++i) {
@@ -60,12 +61,12 @@ TEST(DefectOf, EachBadFieldOfTheBeams) {
   }
 }
 
-TEST(DefectOf, EachBadPose) {
+TEST(FindDefect, FindsEachBadPose) {
   for (Pose LinePoses::*pose :
        {&LinePoses::T_odom_base_first, &LinePoses::T_odom_base_last, &LinePoses::T_base_laser_first,
         &LinePoses::T_base_laser_last, &LinePoses::T_map_base}) {
     LinePoses poses;
-    (poses.*pose).translation().x() = nan_;
+    (poses.*pose).translation().x() = kNan;
     EXPECT_TRUE(find_defect(good_beams(), poses));
     poses = {};
     (poses.*pose).linear().setZero();  // a quaternion of zeros

@@ -18,7 +18,7 @@ Pose T_base_laser(double tilt_rad) {
          Eigen::AngleAxisd(tilt_rad, Eigen::Vector3d::UnitY());
 }
 
-/// Of a wall at x = 2 m.
+/// Returns line number `index` of a wall at x = 2 m.
 LaserBeams wall_line(int index, double tilt_rad, std::mt19937& random) {
   std::normal_distribution<double> noise(0.0, kNoise_m);
   LaserBeams beams;
@@ -33,12 +33,14 @@ LaserBeams wall_line(int index, double tilt_rad, std::mt19937& random) {
   return beams;
 }
 
+/// Returns the poses of a line at a constant tilt.
 LinePoses poses_at(double tilt_rad) {
   LinePoses poses;
   poses.T_base_laser_first = poses.T_base_laser_last = T_base_laser(tilt_rad);
   return poses;
 }
 
+/// Returns the configuration for this laser.
 ModelerConfig config() {
   ModelerConfig config;
   config.scan.range_sigma_m = kNoise_m;
@@ -46,7 +48,7 @@ ModelerConfig config() {
   return config;
 }
 
-TEST(LineAverager, TheMeanHasLessNoise) {
+TEST(LineAverager, ReducesNoise) {
   std::mt19937 random(1);
   LineAverager averager(config().scan);
   for (int i = 0; i < 9; ++i) averager.add(wall_line(i, 0.1, random), poses_at(0.1));
@@ -61,7 +63,7 @@ TEST(LineAverager, TheMeanHasLessNoise) {
   EXPECT_EQ(mean.stamp, std::chrono::milliseconds(1400));
 }
 
-TEST(LineAverager, LiesWhereItsLinesLieOnAverage) {
+TEST(LineAverager, AveragesThePoses) {
   std::mt19937 random(1);
   LineAverager averager(config().scan);
   for (const double tilt : {0.10, 0.11, 0.12})
@@ -69,7 +71,7 @@ TEST(LineAverager, LiesWhereItsLinesLieOnAverage) {
   EXPECT_NEAR(angle_of(averager.mean_poses().T_base_laser_first), 0.11, 1e-6);
 }
 
-TEST(LineAverager, BeamsWhoseReturnsDisagreeAreNone) {
+TEST(LineAverager, RemovesBeamsWhoseReturnsDisagree) {
   std::mt19937 random(1);
   LineAverager averager(config().scan);
   for (int i = 0; i < 4; ++i) {
@@ -80,11 +82,11 @@ TEST(LineAverager, BeamsWhoseReturnsDisagreeAreNone) {
   }
   EXPECT_TRUE(std::isinf(averager.average_beams().ranges_m[50]));
   EXPECT_TRUE(std::isfinite(averager.average_beams().ranges_m[60]))
-      << "no return says nothing against one";
+      << "a missing return does not contradict one";
 }
 
-/// Lines 0.07 degrees apart, 2.4 mm on the wall: a quarter of the noise.
-TEST(DenseLines, OfAWallMakeOneWallAndNoPlaneOfALine) {
+/// Models lines 0.07 degrees apart, or 2.4 mm on the wall: a quarter of the noise.
+TEST(DenseLines, OfAWallMakeOnePlane) {
   std::mt19937 random(1);
   Modeler modeler(config());
   for (int i = 0; i < 600; ++i) {
@@ -99,7 +101,7 @@ TEST(DenseLines, OfAWallMakeOneWallAndNoPlaneOfALine) {
   EXPECT_GT(planes[0].area_m2, 3.0);
 }
 
-TEST(DenseLines, ATiltThatStandsStillAddsNothing) {
+TEST(DenseLines, AtAConstantTiltAddNothing) {
   std::mt19937 random(1);
   Modeler modeler(config());
   std::size_t modelled = 0;
@@ -111,8 +113,8 @@ TEST(DenseLines, ATiltThatStandsStillAddsNothing) {
   EXPECT_EQ(modeler.statistics().ribbons, 0u);
 }
 
-/// Noise alone moves lines by nothing, but stamps must go forward within a averager, too.
-TEST(DenseLines, StampsThatGoBackWithinAPoolAreTold) {
+/// Expects that stamps must increase even among lines that are averaged.
+TEST(DenseLines, MustHaveIncreasingStampsWithinAnAverage) {
   std::mt19937 random(1);
   Modeler modeler(config());
   for (const int index : {0, 1, 2})

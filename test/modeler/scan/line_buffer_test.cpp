@@ -11,6 +11,7 @@
 namespace ribbon_mapper {
 namespace {
 
+/// Returns a line whose beams all have the same range.
 ScanLine line_at(const Pose& T_odom_base, double tilt_rad, double range_m = 4.0,
                  std::size_t count = 181) {
   LaserBeams beams;
@@ -26,6 +27,7 @@ ScanLine line_at(const Pose& T_odom_base, double tilt_rad, double range_m = 4.0,
 
 constexpr double kTiltStep_rad = 0.01;  // 40 mm at 4 m
 
+/// Adds a line that is tilted further with each second.
 void push(LineBuffer& buffer, int second, std::size_t count = 181) {
   buffer.incoming() = line_at(Pose::Identity(), kTiltStep_rad * second, 4.0, count);
   buffer.incoming().stamp = from_seconds(second);
@@ -34,7 +36,7 @@ void push(LineBuffer& buffer, int second, std::size_t count = 181) {
 
 double seconds_of(const ScanLine& line) { return to_seconds(line.stamp); }
 
-TEST(LineBuffer, GivesEachLineTheOnesNextToIt) {
+TEST(LineBuffer, ReturnsEachLineWithItsNeighbours) {
   LineBuffer buffer(0.0);
   EXPECT_EQ(nullptr, buffer.newest_line());
   for (int second = 1; second <= 60; ++second) {
@@ -50,7 +52,7 @@ TEST(LineBuffer, GivesEachLineTheOnesNextToIt) {
   }
 }
 
-TEST(LineBuffer, GoesFurtherWhereLinesAreDense) {
+TEST(LineBuffer, SkipsLinesWhereTheyAreDense) {
   const double step_m =
       base_line_m(line_at(Pose::Identity(), 0.0), line_at(Pose::Identity(), kTiltStep_rad));
   LineBuffer buffer(2.5 * step_m);
@@ -65,7 +67,7 @@ TEST(LineBuffer, GoesFurtherWhereLinesAreDense) {
   }
 }
 
-TEST(LineBuffer, ALineThatIsNotPushedLeavesNoTrace) {
+TEST(LineBuffer, IgnoresALineThatIsNotPushed) {
   LineBuffer buffer(0.0);
   for (int second = 1; second <= 3; ++second) push(buffer, second);
   const auto lines = buffer.next_three_lines();
@@ -75,7 +77,7 @@ TEST(LineBuffer, ALineThatIsNotPushedLeavesNoTrace) {
   EXPECT_EQ(3, seconds_of(lines->next));
 }
 
-TEST(LineBuffer, StartsAfreshWithLinesOfAnotherLength) {
+TEST(LineBuffer, StartsAgainWithLinesOfAnotherLength) {
   LineBuffer buffer(0.0);
   for (int second = 1; second <= 3; ++second) push(buffer, second);
   push(buffer, 4, 91);
@@ -90,8 +92,8 @@ TEST(LineBuffer, StartsAfreshWithLinesOfAnotherLength) {
 }
 
 TEST(BaseLine, OfATiltIsRangeTimesStepAtTheMedianBeam) {
-  // Beams that lie at an azimuth a from the tilt axis' normal move by cos(a); the median azimuth of
-  // -90 .. 90 degrees is 45 degrees. (A tenth is for the samples, which need not be symmetric.)
+  // A beam at an azimuth a from the normal of the tilt axis moves by cos(a). The median azimuth of
+  // -90 .. 90 degrees is 45 degrees. The tolerance allows for samples that are not symmetric.
   const double step_rad = 0.01;
   for (const double tilt_rad : {-0.5, 0.0, 0.8}) {
     const double base_line = base_line_m(line_at(Pose::Identity(), tilt_rad),
@@ -100,27 +102,27 @@ TEST(BaseLine, OfATiltIsRangeTimesStepAtTheMedianBeam) {
   }
 }
 
-TEST(BaseLine, OfAMotionAcrossIsThatMotion) {
+TEST(BaseLine, OfAMotionAcrossTheLineIsThatMotion) {
   const Pose up = Pose(Eigen::Translation3d(0.0, 0.0, 0.03));
   EXPECT_NEAR(0.03, base_line_m(line_at(Pose::Identity(), 0.0), line_at(up, 0.0)), 1e-6);
   EXPECT_NEAR(0.03 * std::cos(0.5), base_line_m(line_at(Pose::Identity(), 0.5), line_at(up, 0.5)),
               1e-6);
 }
 
-TEST(BaseLine, IsNoneAlongTheLine) {
+TEST(BaseLine, IsZeroForAMotionAlongTheLine) {
   const ScanLine before = line_at(Pose::Identity(), 0.0);
   EXPECT_NEAR(0.0, base_line_m(before, before), 1e-12);
   EXPECT_NEAR(0.0, base_line_m(before, line_at(planar_pose(0.2, -0.1, 0.1), 0.0)), 1e-9);
 }
 
-TEST(BaseLine, WithoutReturnsOrAnythingToCompare) {
+TEST(BaseLine, WithoutCommonReturns) {
   const ScanLine line = line_at(Pose::Identity(), 0.0);
   EXPECT_EQ(0.0, base_line_m(line, line_at(Pose::Identity(), 0.1, -1.0)));
   EXPECT_TRUE(std::isinf(base_line_m(line, line_at(Pose::Identity(), 0.0, 4.0, 91))));
 }
 
-TEST(BaseLine, ComesFromAllOfTheLine) {
-  // Far returns in the last quarter only, whatever the number of beams.
+TEST(BaseLine, UsesTheWholeLine) {
+  // Returns in the last quarter only, for several numbers of beams.
   for (const std::size_t count : {33u, 63u, 95u, 187u, 361u, 1040u}) {
     ScanLine before = line_at(Pose::Identity(), 0.0, 1.0, count);
     ScanLine after = line_at(Pose::Identity(), 0.01, 1.0, count);

@@ -10,9 +10,10 @@
 namespace ribbon_mapper {
 namespace {
 
-/// A UTM-30LX as the PR2's, from 1 m above a floor, with its noise.
+/// Angular step and noise of the UTM-30LX, the PR2's tilting laser.
 constexpr double kStep_rad = 2.0 * M_PI / 1440.0, kNoise_m = 0.01;
 
+/// Returns beams with these ranges.
 LaserBeams beams_with(std::vector<float> ranges_m) {
   LaserBeams beams;
   beams.stamp = std::chrono::seconds(1);
@@ -26,7 +27,8 @@ bool middle_is_mixed_pixel(const LaserBeams& beams, const ScanConfig& config) {
   return is_mixed_pixel(beams, 1, config, mixed_pixel_step_per_range(beams, config));
 }
 
-/// Share of the returns of a plane that are taken for a veil, seen under about that angle at 3 m.
+/// Returns the share of the returns of a plane that are taken for mixed pixels. The plane is seen
+/// at 3 m under about this grazing angle.
 double loss_at(double angle_deg, double mixed_pixel_angle_deg) {
   ScanConfig config;
   config.mixed_pixel_angle_deg = mixed_pixel_angle_deg;
@@ -45,35 +47,35 @@ double loss_at(double angle_deg, double mixed_pixel_angle_deg) {
   return static_cast<double>(lost) / static_cast<double>(all);
 }
 
-TEST(Veil, WhatHangsBetweenTwoDepthsIsNone) {
+TEST(MixedPixel, LiesBetweenTwoDepths) {
   const ScanConfig config;
   EXPECT_TRUE(middle_is_mixed_pixel(beams_with({2.0F, 2.5F, 3.0F}), config));
   EXPECT_TRUE(middle_is_mixed_pixel(beams_with({3.0F, 2.5F, 2.0F}), config));
   EXPECT_FALSE(middle_is_mixed_pixel(beams_with({2.0F, 2.0F, 3.0F}), config)) << "an edge";
-  EXPECT_FALSE(middle_is_mixed_pixel(beams_with({2.0F, 2.5F, 2.0F}), config)) << "a thin thing";
+  EXPECT_FALSE(middle_is_mixed_pixel(beams_with({2.0F, 2.5F, 2.0F}), config)) << "a thin object";
   EXPECT_FALSE(middle_is_mixed_pixel(beams_with({2.0F, 2.5F, INFINITY}), config));
   ScanConfig off;
   off.mixed_pixel_angle_deg = 0.0;
   EXPECT_FALSE(middle_is_mixed_pixel(beams_with({2.0F, 2.5F, 3.0F}), off));
 }
 
-TEST(Veil, CostsNothingOfPlanesThatRibbonsAreMadeOf) {
-  const ScanConfig config;  // 4 degrees, as ribbon.min_grazing_angle_deg
+TEST(MixedPixel, RemovesNoPointsOfPlanesThatMakeRibbons) {
+  const ScanConfig config;  // 4 degrees, like ribbon.min_grazing_angle_deg
   EXPECT_LT(loss_at(20.0, config.mixed_pixel_angle_deg), 0.001);
   EXPECT_LT(loss_at(8.0, config.mixed_pixel_angle_deg), 0.01);
-  for (const double angle : {2.0, 3.0, 4.0, 5.0, 6.0, 8.0, 10.0, 15.0}) {
-    RecordProperty("loss_percent_at_" + std::to_string(static_cast<int>(angle)) + "_deg",
-                   std::to_string(100.0 * loss_at(angle, config.mixed_pixel_angle_deg)));
+  for (const double angle_deg : {2.0, 3.0, 4.0, 5.0, 6.0, 8.0, 10.0, 15.0}) {
+    RecordProperty("loss_percent_at_" + std::to_string(static_cast<int>(angle_deg)) + "_deg",
+                   std::to_string(100.0 * loss_at(angle_deg, config.mixed_pixel_angle_deg)));
     std::printf(
-        "plane seen under %4.1f deg: %5.1f %% lost with 4 deg, %5.1f %% with PR2's 10 deg\n", angle,
-        100.0 * loss_at(angle, 4.0), 100.0 * loss_at(angle, 10.0));
+        "plane seen under %4.1f deg: %5.1f %% lost with 4 deg, %5.1f %% with PR2's 10 deg\n",
+        angle_deg, 100.0 * loss_at(angle_deg, 4.0), 100.0 * loss_at(angle_deg, 10.0));
   }
 }
 
-TEST(RobotBody, ReturnsOnItAreNone) {
+TEST(RobotBody, HasNoReturns) {
   ScanConfig config;
   config.min_range_m = 0.1;
-  LinePoses poses;  // the laser 1.05 m up, looking straight down
+  LinePoses poses;  // laser 1.05 m above the base, looking straight down
   for (Pose* pose : {&poses.T_base_laser_first, &poses.T_base_laser_last}) {
     *pose =
         Eigen::Translation3d(0.05, 0.0, 1.05) * Eigen::AngleAxisd(M_PI_2, Eigen::Vector3d::UnitY());

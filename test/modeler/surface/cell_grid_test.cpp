@@ -17,7 +17,7 @@ namespace {
 
 using namespace mini_world;
 
-/// Sums of one cell, in double precision.
+/// The sums of one cell in double precision.
 struct SlowCell {
   double count = 0.0, sum = 0.0, square = 0.0;
   void add(double n, double distance, double own_square) {
@@ -37,12 +37,13 @@ Plane tilted_frame() {
   return frame;
 }
 
-/// Across the frame, through its origin's surroundings, 1 cm thick; seen from a pose.
+/// Returns a ribbon between two random points near the origin of the frame, with noise of 1 cm, as
+/// seen from a pose.
 Ribbon scattered_ribbon(const Plane& frame, std::mt19937& random, const Pose& pose) {
-  std::uniform_real_distribution<double> place_m(-2.0, 2.0);
+  std::uniform_real_distribution<double> offset_m(-2.0, 2.0);
   std::normal_distribution<double> height_m(0.0, 0.01);
   const auto any = [&]() -> Eigen::Vector3d {
-    return frame.origin + place_m(random) * frame.axis_u + place_m(random) * frame.axis_v;
+    return frame.origin + offset_m(random) * frame.axis_u + offset_m(random) * frame.axis_v;
   };
   const Eigen::Vector3d from = any(), to = any();
   std::vector<Eigen::Vector3d> points;
@@ -53,18 +54,19 @@ Ribbon scattered_ribbon(const Plane& frame, std::mt19937& random, const Pose& po
   return ribbon_of(points, pose.inverse().linear() * frame.normal);
 }
 
+/// Adds the samples of a ribbon one by one.
 void add_slowly(const Ribbon& ribbon, const Pose& pose, const Plane& frame, SlowGrid& grid) {
   const PosedRibbon posed(ribbon, pose);
   ribbon.samples.for_each([&](float along_m, float sample_height_m, std::uint32_t count) {
     const Eigen::Vector3d p = posed.point(along_m, sample_height_m);
-    const Eigen::Vector3d place = p - frame.origin;
-    const int u = static_cast<int>(std::floor(place.dot(frame.axis_u) / frame.cell_size_m));
-    const int v = static_cast<int>(std::floor(place.dot(frame.axis_v) / frame.cell_size_m));
+    const Eigen::Vector3d offset = p - frame.origin;
+    const int u = static_cast<int>(std::floor(offset.dot(frame.axis_u) / frame.cell_size_m));
+    const int v = static_cast<int>(std::floor(offset.dot(frame.axis_v) / frame.cell_size_m));
     grid[{v, u}].add(count, frame.normal.dot(p) + frame.d_m, ribbon.samples.variance_m2);
   });
 }
 
-/// Less than a twentieth of what a cell beside it has.
+/// Returns true if a cell has less than a twentieth of the count of a neighbour.
 bool is_spill(const SlowGrid& grid, const std::pair<int, int>& key) {
   const auto has_twenty_times = [&](int v, int u) {
     const auto other = grid.find({v, u});
@@ -104,11 +106,11 @@ TEST(CellGrid, AgreesWithASlowReference) {
   EXPECT_EQ(cells.size(), i);
 }
 
-TEST(CellGrid, LeavesOutWhatNoiseSpilledOverAnEdge) {
+TEST(CellGrid, OmitsCellsThatNoiseFilledBeyondAnEdge) {
   CellGrid grid(level_plane(1.0, {}));
   grid.add(Eigen::Vector3d(0.02, 0.02, 1.0), 100);
-  grid.add(Eigen::Vector3d(0.07, 0.02, 1.0), 4);   // beside it, less than a twentieth
-  grid.add(Eigen::Vector3d(-0.03, 0.02, 1.0), 6);  // beside it, more
+  grid.add(Eigen::Vector3d(0.07, 0.02, 1.0), 4);   // a neighbour with less than a twentieth
+  grid.add(Eigen::Vector3d(-0.03, 0.02, 1.0), 6);  // a neighbour with more
   grid.add(Eigen::Vector3d(0.12, 0.02, 1.0), 1);   // one cell further
   const auto cells = grid.cells();
   ASSERT_EQ(3u, cells.size());
@@ -117,7 +119,7 @@ TEST(CellGrid, LeavesOutWhatNoiseSpilledOverAnEdge) {
   EXPECT_EQ(1u, cells[2].count);
 }
 
-TEST(CellGrid, SinglePointsCountAsSamplesDo) {
+TEST(CellGrid, TreatsPointsLikeSamples) {
   const Plane frame = level_plane(1.0, {});
   CellGrid grid(frame);
   grid.add(Eigen::Vector3d(-0.01, 0.07, 1.02), 3);
@@ -131,8 +133,9 @@ TEST(CellGrid, SinglePointsCountAsSamplesDo) {
   EXPECT_NEAR((3 * 0.02 * 0.02 + 0.01 * 0.01) / 4 - 0.0125 * 0.0125, cells[0].variance_m2, 1e-7);
 }
 
-/// Component of each cell by flooding, numbered by first appearance.
-std::vector<int> flooded(const std::vector<PlaneCell>& cells, double gap_in_cells) {
+/// Returns the component of each cell by flood fill, numbered by first appearance.
+std::vector<int> components_by_flood_fill(const std::vector<PlaneCell>& cells,
+                                          double gap_in_cells) {
   std::vector<int> number(cells.size(), -1);
   int count = 0;
   for (std::size_t seed = 0; seed < cells.size(); ++seed) {
@@ -154,18 +157,18 @@ std::vector<int> flooded(const std::vector<PlaneCell>& cells, double gap_in_cell
   return number;
 }
 
-TEST(ConnectedComponents, AreThoseOfFlooding) {
+TEST(ConnectedComponents, EqualThoseOfFloodFill) {
   std::mt19937 random(9);
-  std::uniform_int_distribution<int> place(-40, 40);
+  std::uniform_int_distribution<int> coordinate(-40, 40);
   for (const int gap : {1, 2, 3, 5, 6, 20}) {
     std::vector<PlaneCell> cells;
     for (int i = 0; i < 3000 / (gap * gap) + 20; ++i)
-      cells.push_back({place(random), place(random), 1, 0, 0});
+      cells.push_back({coordinate(random), coordinate(random), 1, 0, 0});
     std::sort(cells.begin(), cells.end(), [](const PlaneCell& a, const PlaneCell& b) {
       return std::pair(a.v, a.u) < std::pair(b.v, b.u);
     });
     const auto fast = connected_components(cells, 0.05, gap * 0.05);
-    const auto slow = flooded(cells, gap);
+    const auto slow = components_by_flood_fill(cells, gap);
     std::map<int, int> pairs;
     for (std::size_t i = 0; i < cells.size(); ++i) {
       EXPECT_EQ(slow[i], pairs.emplace(fast[i], slow[i]).first->second) << "gap " << gap;
@@ -174,7 +177,7 @@ TEST(ConnectedComponents, AreThoseOfFlooding) {
   }
 }
 
-TEST(ConnectedComponents, TheLargestIsTheFirst) {
+TEST(ConnectedComponents, AreOrderedBySize) {
   std::vector<PlaneCell> cells = rectangle(2, 2);
   for (const PlaneCell& cell : rectangle(5, 5, 40, 0)) cells.push_back(cell);
   for (const PlaneCell& cell : rectangle(3, 3, 0, 40)) cells.push_back(cell);
@@ -184,7 +187,7 @@ TEST(ConnectedComponents, TheLargestIsTheFirst) {
   EXPECT_EQ(1, numbers.back());
 }
 
-TEST(ConnectedComponents, AGapIsMeasuredFromCentreToCentre) {
+TEST(ConnectedComponents, MeasureGapsFromCentreToCentre) {
   for (const int gap_in_cells : {19, 20, 21, 22}) {
     std::vector<PlaneCell> cells = rectangle(3, 3);
     for (const PlaneCell& cell : rectangle(3, 3, 2 + gap_in_cells, 0)) cells.push_back(cell);

@@ -15,12 +15,14 @@ namespace {
 using namespace mini_world;
 using Cells = std::vector<PlaneCell>;
 
+const double kStripeGap_m = SurfaceConfig{}.stripe_gap_m;
+
 Cells operator+(Cells a, const Cells& b) {
   a.insert(a.end(), b.begin(), b.end());
   return a;
 }
 
-/// Positive if counter-clockwise about the normal [m2].
+/// Returns the area of an outline, positive if it is counter-clockwise about the normal.
 double area_m2(const Plane& plane, const std::vector<Eigen::Vector3d>& outline) {
   double twice = 0.0;
   for (std::size_t i = 0; i < outline.size(); ++i) {
@@ -29,7 +31,7 @@ double area_m2(const Plane& plane, const std::vector<Eigen::Vector3d>& outline) 
   return 0.5 * twice;
 }
 
-TEST(Outline, OfARectangleIsItsFourCorners) {
+TEST(Outline, OfARectangleHasItsFourCorners) {
   const Plane plane = level_plane(0.7, rectangle(20, 10, -5, 3));
   const auto outline = outline_of(plane, 0.3);
   ASSERT_EQ(4u, outline.size());
@@ -48,7 +50,7 @@ TEST(Outline, OfAnLHasSixCorners) {
   EXPECT_NEAR(plane.area_m2, area_m2(plane, outline), 1e-9);
 }
 
-TEST(Outline, KeepsNotchesThatAreDeeperThanACell) {
+TEST(Outline, KeepsNotchesDeeperThanACell) {
   for (const int depth : {1, 3}) {
     const Plane plane = level_plane(
         0.0, rectangle(60, 40) + rectangle(20, depth, 0, 40) + rectangle(20, depth, 40, 40));
@@ -56,7 +58,7 @@ TEST(Outline, KeepsNotchesThatAreDeeperThanACell) {
   }
 }
 
-TEST(Outline, ClosesTheStripesBetweenLines) {
+TEST(Outline, ClosesStripesBetweenLines) {
   Cells stripes;
   for (int v = 0; v < 40; v += 5) stripes = stripes + rectangle(40, 1, 0, v);
   const Plane plane = level_plane(0.0, stripes);
@@ -65,7 +67,7 @@ TEST(Outline, ClosesTheStripesBetweenLines) {
   EXPECT_NEAR(2.0 * 36 * 0.05, area_m2(plane, outline), 1e-9);
 }
 
-TEST(Outline, LeavesHolesOut) {
+TEST(Outline, IgnoresHoles) {
   Cells frame;
   for (const PlaneCell& cell : rectangle(60, 60)) {
     if (cell.u < 10 || cell.u >= 50 || cell.v < 10 || cell.v >= 50) frame.push_back(cell);
@@ -76,24 +78,24 @@ TEST(Outline, LeavesHolesOut) {
   EXPECT_NEAR(9.0, area_m2(plane, outline), 1e-9);
 }
 
-TEST(Outline, IsThatOfTheLargestPiece) {
+TEST(Outline, EnclosesTheLargestPiece) {
   const Plane plane = level_plane(0.0, rectangle(10, 10) + rectangle(30, 30, 100, 0));
   EXPECT_NEAR(1.5 * 1.5, area_m2(plane, outline_of(plane, 0.3)), 1e-9);
 }
 
-TEST(Outline, OfNothingIsNothing) { EXPECT_TRUE(outline_of(level_plane(0.0, {}), 1.0).empty()); }
+TEST(Outline, OfNoCellsIsEmpty) { EXPECT_TRUE(outline_of(level_plane(0.0, {}), 1.0).empty()); }
 
-TEST(Outline, OfOneCellIsIts) {
+TEST(Outline, OfOneCellIsItsBorder) {
   const Plane plane = level_plane(0.0, rectangle(1, 1, 7, -9));
   EXPECT_NEAR(0.05 * 0.05, area_m2(plane, outline_of(plane, 1.0)), 1e-9);
 }
 
-TEST(Outline, OfCellsThatTouchByACornerIsOne) {
+TEST(Outline, EnclosesCellsThatTouchAtACorner) {
   const Plane plane = level_plane(0.0, rectangle(10, 10) + rectangle(10, 10, 10, 10));
   EXPECT_NEAR(plane.area_m2, area_m2(plane, outline_of(plane, 0.0)), 1e-9);
 }
 
-/// Cells of all rectangles; each must be in one only.
+/// Returns the cells of all rectangles. Expects each to be in one rectangle only.
 std::set<std::pair<int, int>> cells_of(const std::vector<CellRectangle>& rectangles) {
   std::set<std::pair<int, int>> cells;
   for (const CellRectangle& r : rectangles) {
@@ -117,56 +119,58 @@ TEST(SurfaceRectangles, CoverEachCellOnce) {
 }
 
 TEST(SurfaceRectangles, AreFew) {
-  EXPECT_EQ(1u, surface_rectangles(level_plane(0.0, rectangle(50, 30))).size());
+  EXPECT_EQ(1u, surface_rectangles(level_plane(0.0, rectangle(50, 30)), kStripeGap_m).size());
   Cells stripes;
   for (int v = 0; v < 40; v += 5) stripes = stripes + rectangle(40, 1, 0, v);
-  EXPECT_EQ(1u, surface_rectangles(level_plane(0.0, stripes), 0.3).size());
+  EXPECT_EQ(1u, surface_rectangles(level_plane(0.0, stripes), kStripeGap_m).size());
   EXPECT_EQ(8u, surface_rectangles(level_plane(0.0, stripes), 0.1).size());
-  EXPECT_TRUE(surface_rectangles(level_plane(0.0, {})).empty());
+  EXPECT_TRUE(surface_rectangles(level_plane(0.0, {}), kStripeGap_m).empty());
 }
 
-using Place = std::pair<int, int>;
-using Places = std::set<Place>;
+using Position = std::pair<int, int>;
+using Positions = std::set<Position>;
 
-/// All places within a square of the margin around a place.
+/// Calls function(position) for all positions in a square around one, up to the margin.
 template <typename Function>
-void for_each_around(const Place& place, int margin, const Function& function) {
+void for_each_around(const Position& position, int margin, const Function& function) {
   for (int du = -margin; du <= margin; ++du) {
-    for (int dv = -margin; dv <= margin; ++dv) function(Place(place.first + du, place.second + dv));
+    for (int dv = -margin; dv <= margin; ++dv)
+      function(Position(position.first + du, position.second + dv));
   }
 }
 
-Places closed_slowly(const Places& places, int margin) {
-  Places dilated, closed;
-  for (const Place& place : places) {
-    for_each_around(place, margin, [&](const Place& around) { dilated.insert(around); });
+/// Returns the morphological closing by its definition.
+Positions closed_slowly(const Positions& positions, int margin) {
+  Positions dilated, closed;
+  for (const Position& position : positions) {
+    for_each_around(position, margin, [&](const Position& around) { dilated.insert(around); });
   }
-  for (const Place& place : dilated) {
+  for (const Position& position : dilated) {
     bool is_inside = true;
-    for_each_around(place, margin,
-                    [&](const Place& around) { is_inside &= dilated.count(around) > 0; });
-    if (is_inside) closed.insert(place);
+    for_each_around(position, margin,
+                    [&](const Position& around) { is_inside &= dilated.count(around) > 0; });
+    if (is_inside) closed.insert(position);
   }
   return closed;
 }
 
-TEST(SurfaceRectangles, CloseAsASlowReferenceDoes) {
+TEST(SurfaceRectangles, CloseGapsLikeASlowReference) {
   std::mt19937 random(5);
   std::uniform_int_distribution<int> column(-50, 60), row(-9, 20);
   for (const int margin : {0, 1, 2, 5, 9}) {
     Cells cells;
-    Places places;
+    Positions positions;
     for (int i = 0; i < 150; ++i) {
       cells.push_back({column(random), row(random), 1, 0, 0});
-      places.emplace(cells.back().u, cells.back().v);
+      positions.emplace(cells.back().u, cells.back().v);
     }
-    EXPECT_EQ(closed_slowly(places, margin),
+    EXPECT_EQ(closed_slowly(positions, margin),
               cells_of(surface_rectangles(level_plane(0.0, cells), 2.0 * margin * 0.05 + 0.001)))
         << margin;
   }
 }
 
-TEST(SurfaceRectangles, CloseGapsOfMoreCellsThanAWordHasBits) {
+TEST(SurfaceRectangles, CloseGapsOfMoreThan64Cells) {
   const Plane plane = level_plane(0.0, rectangle(1, 40, -30, 0) + rectangle(1, 40, 101, 0));
   const auto rectangles = surface_rectangles(plane, 7.01);
   ASSERT_EQ(1u, rectangles.size());

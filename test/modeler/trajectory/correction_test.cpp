@@ -14,8 +14,8 @@ namespace {
 
 using Poses = std::vector<StampedPose>;
 
-/// A path that wriggles, a pose every 0.1 s for 10 s.
-Poses wriggling() {
+/// Returns a winding path of 10 s with a pose every 0.1 s.
+Poses winding_path() {
   std::mt19937 random(6);
   std::normal_distribution<double> step(0.0, 0.05);
   Poses poses;
@@ -27,7 +27,7 @@ Poses wriggling() {
   return poses;
 }
 
-/// A localisation that never jumps: map and odom are one.
+/// Returns the pose as recorded with a localisation that never jumps: map and odom coincide.
 TrackedPose recorded_as(const StampedPose& pose) { return {pose, pose.T_map_base}; }
 
 TrackedPoses recorded_as(const Poses& poses) {
@@ -39,7 +39,7 @@ TrackedPoses recorded_as(const Poses& poses) {
 double distance(const Pose& a, const Pose& b) { return (a.matrix() - b.matrix()).norm(); }
 
 TEST(Correction, IsExactAtTheCorrectedPoses) {
-  const Poses recorded = wriggling();
+  const Poses recorded = winding_path();
   Poses corrected;
   for (int i = 5; i < 100; i += 13) {
     corrected.push_back({recorded[i].stamp, planar_pose(0.1 * i, -i, 0.02 * i)});
@@ -51,8 +51,8 @@ TEST(Correction, IsExactAtTheCorrectedPoses) {
   }
 }
 
-TEST(Correction, BetweenPosesTheChangeIsInterpolatedNotThePose) {
-  const Poses recorded = wriggling();
+TEST(Correction, InterpolatesTheChangeNotThePose) {
+  const Poses recorded = winding_path();
   Poses corrected{recorded[20], recorded[60]};
   corrected[1].T_map_base = Eigen::Translation3d(0.4, -0.8, 0.0) * corrected[1].T_map_base;
   const Correction correction(recorded_as(recorded), corrected);
@@ -64,8 +64,8 @@ TEST(Correction, BetweenPosesTheChangeIsInterpolatedNotThePose) {
   }
 }
 
-TEST(Correction, BeyondItsEndsTheNearestChangeHolds) {
-  const Poses recorded = wriggling();
+TEST(Correction, AppliesTheNearestChangeBeyondItsEnds) {
+  const Poses recorded = winding_path();
   const Pose first = planar_pose(1.0, 2.0, 0.3), last = planar_pose(-2.0, 1.0, -0.4);
   const Correction correction(recorded_as(recorded),
                               {{recorded[40].stamp, first * recorded[40].T_map_base},
@@ -82,8 +82,8 @@ TEST(Correction, BeyondItsEndsTheNearestChangeHolds) {
   }
 }
 
-TEST(Correction, PosesBetweenTheRecordedOnesAreComparedWithTheRecordedWay) {
-  const Poses recorded = wriggling();
+TEST(Correction, ComparesPosesBetweenRecordedOnesWithTheRecordedPath) {
+  const Poses recorded = winding_path();
   const Pose T = planar_pose(0.5, 0.2, 0.1);
   Poses corrected;
   for (int i = 0; i < 100; i += 7) {
@@ -98,7 +98,7 @@ TEST(Correction, PosesBetweenTheRecordedOnesAreComparedWithTheRecordedWay) {
 
 TEST(Trajectory, IsCorrectedFromTheRecordedPosesEachTime) {
   Trajectory trajectory({});
-  const Poses recorded = wriggling();
+  const Poses recorded = winding_path();
   for (const StampedPose& pose : recorded) trajectory.add(recorded_as(pose));
   EXPECT_FALSE(trajectory.is_corrected());
   const Pose T = planar_pose(5.0, 6.0, 1.0);
@@ -111,7 +111,7 @@ TEST(Trajectory, IsCorrectedFromTheRecordedPosesEachTime) {
   }
 }
 
-TEST(PosedRibbon, IsTheRibbonOfMovedPointsInSinglePrecision) {
+TEST(PosedRibbon, EqualsTheRibbonOfMovedPointsInSinglePrecision) {
   const Pose T = Eigen::Translation3d(4.0, -1.0, 0.3) *
                  Eigen::AngleAxisd(1.2, Eigen::Vector3d(2, -1, 1).normalized());
   const Eigen::Vector3d from(2.0, 0.5, 0.1), to(2.0, -0.7, 0.1), normal(-1.0, 0.0, 0.0);

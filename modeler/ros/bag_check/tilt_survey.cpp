@@ -1,20 +1,20 @@
 // SPDX-FileCopyrightText: 2026 ribbon_mapper authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "modeler/ros/bag_check/sweep_survey.hpp"
+#include "modeler/ros/bag_check/tilt_survey.hpp"
 
 #include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <cmath>
 
-#include "modeler/ros/bag_check/words.hpp"
+#include "modeler/ros/bag_check/number_text.hpp"
 
 namespace ribbon_mapper {
 namespace {
 
-constexpr double kStillRad = 0.01, kStillM = 0.05;
+constexpr double kStill_rad = 0.01, kStill_m = 0.05;
 constexpr double kTurnedRound_rad = 1.9 * M_PI;
 
-/// Indices where the angle turns round, by more than a tenth of its whole range.
+/// Returns the indices where the angle reverses by more than a tenth of its whole range.
 std::vector<std::size_t> reversals(const std::vector<double>& angles, double range_rad) {
   std::vector<std::size_t> found;
   std::size_t extreme = 0;
@@ -35,7 +35,7 @@ std::vector<std::size_t> reversals(const std::vector<double>& angles, double ran
 
 }  // namespace
 
-void SweepSurvey::add(const LaserBeams& beams, const LinePoses& poses) {
+void TiltSurvey::add(const LaserBeams& beams, const LinePoses& poses) {
   if (stamps_.empty()) {
     first_T_odom_base_ = poses.T_odom_base_first;
   } else {
@@ -51,7 +51,7 @@ void SweepSurvey::add(const LaserBeams& beams, const LinePoses& poses) {
   base_turn_rad_ = std::max(base_turn_rad_, angle_of(moved));
 }
 
-std::vector<double> SweepSurvey::angles_rad() const {
+std::vector<double> TiltSurvey::angles_rad() const {
   const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver(sum_of_squares_);
   const Eigen::Vector3d axis = solver.eigenvectors().col(2);
   std::vector<double> angles{0.0};
@@ -59,26 +59,26 @@ std::vector<double> SweepSurvey::angles_rad() const {
   return angles;
 }
 
-void SweepSurvey::report(const ScanSurvey& scans, BagReport& report) const {
+void TiltSurvey::report(const ScanSurvey& scans, BagReport& report) const {
   if (stamps_.size() < 2) return;
   report_tilt(report);
   report_spacing(scans, report);
 }
 
-void SweepSurvey::report_tilt(BagReport& report) const {
+void TiltSurvey::report_tilt(BagReport& report) const {
   const std::vector<double> angles = angles_rad();
-  const auto [least, most] = std::minmax_element(angles.begin(), angles.end());
-  const double range_rad = *most - *least;
+  const auto [lowest, highest] = std::minmax_element(angles.begin(), angles.end());
+  const double range_rad = *highest - *lowest;
   const double duration_s = to_seconds(stamps_.back() - stamps_.front());
-  if (range_rad < kStillRad) {
-    if (base_travel_m_ < kStillM && base_turn_rad_ < kStillRad) {
+  if (range_rad < kStill_rad) {
+    if (base_travel_m_ < kStill_m && base_turn_rad_ < kStill_rad) {
       report.fault(
-          "the tilt does not move, nor does the robot: one line only is seen. Is the "
+          "the tilt does not move, nor does the robot: only a single line is seen. Is the "
           "tilt's joint in tf, and was it commanded?");
     } else {
       report.warning(
           "the tilt does not move: surfaces are seen only where the robot's own motion "
-          "sweeps the line over them");
+          "carries the line over them");
     }
     return;
   }
@@ -100,7 +100,7 @@ void SweepSurvey::report_tilt(BagReport& report) const {
   report.fact(text);
 }
 
-void SweepSurvey::report_spacing(const ScanSurvey& scans, BagReport& report) const {
+void TiltSurvey::report_spacing(const ScanSurvey& scans, BagReport& report) const {
   std::vector<double> steps_rad;
   for (const Eigen::Vector3d& turn : turns_rad_) {
     if (turn.norm() > 1e-5) steps_rad.push_back(turn.norm());
@@ -109,14 +109,13 @@ void SweepSurvey::report_spacing(const ScanSurvey& scans, BagReport& report) con
   const double noise_m = scans.noise_m(), range_m = scans.median_range_m();
   if (steps_rad.empty() || range_m <= 0.0) return;
   const double spacing_m = step_rad * range_m;
-  const std::string facts = "lines are " + degrees(step_rad, 2) + " degrees apart, " +
-                            number(1e3 * spacing_m, 0) +
-                            " mm at the median range; the noise of a " + "range is about " +
-                            number(1e3 * noise_m, 0) + " mm";
+  const std::string facts =
+      "lines are " + degrees(step_rad, 2) + " degrees apart, " + number(1e3 * spacing_m, 0) +
+      " mm at the median range; the noise of a range is about " + number(1e3 * noise_m, 0) + " mm";
   const double beam_spacing_m = scans.beam_step_rad() * range_m;
   if (spacing_m < noise_m) {
     report.warning(facts +
-                   ": closer than the noise. Lines are pooled; a preset with "
+                   ": closer than the noise. Lines are averaged; a preset with "
                    "scan.base_line_sigmas 3 (config/urg04lx.yaml) makes the most of them");
   } else if (beam_spacing_m > 0.025) {
     report.warning(facts + "; beams are " + number(1e3 * beam_spacing_m, 0) +

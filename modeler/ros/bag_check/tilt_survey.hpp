@@ -10,14 +10,17 @@
 
 namespace ribbon_mapper {
 
-/// Looks at how the laser moves: does it tilt or turn, how fast, how far apart are its lines.
-class SweepSurvey {
+/// Statistics of the laser's motion: whether it tilts or turns, its period, the spacing of its
+/// lines.
+class TiltSurvey {
  public:
+  /// Adds a scan line with its poses.
   void add(const LaserBeams& beams, const LinePoses& poses);
+  /// Adds the findings to a report; `scans` has the same bag.
   void report(const ScanSurvey& scans, BagReport& report) const;
 
  private:
-  std::vector<double> angles_rad() const;  ///< about the axis that the laser turns about most
+  std::vector<double> angles_rad() const;  ///< of each line about the main axis of rotation
   void report_tilt(BagReport& report) const;
   void report_spacing(const ScanSurvey& scans, BagReport& report) const;
 
@@ -26,7 +29,7 @@ class SweepSurvey {
   Eigen::Matrix3d sum_of_squares_ = Eigen::Matrix3d::Zero();  ///< of the turns
   Pose last_T_base_laser_ = Pose::Identity();
   Pose first_T_odom_base_ = Pose::Identity();
-  double base_travel_m_ = 0.0, base_turn_rad_ = 0.0;  ///< furthest from the first pose
+  double base_travel_m_ = 0.0, base_turn_rad_ = 0.0;  ///< maximum distance from the first pose
 };
 
 }  // namespace ribbon_mapper
