@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "eval/results/world_outlines.hpp"
 
-#include "eval/metrics/chains.hpp"
+#include "eval/results/chains.hpp"
 
 namespace ribbon_mapper::eval {
 

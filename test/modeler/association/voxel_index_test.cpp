@@ -39,7 +39,7 @@ Slots near(VoxelIndex& index, const Vector& point, int side = 0) {
 TEST(VoxelIndex, FindsHypothesesInTheVoxelAndItsNeighbours) {
   std::mt19937 random(8);
   VoxelIndex index(kVoxel_m);
-  std::vector<std::vector<Vector>> places(30);
+  std::vector<std::vector<Vector>> points(30);
   for (std::uint32_t slot = 0; slot < 30; ++slot) {
     Slots keys;
     for (int i = 0; i < 5; ++i) {

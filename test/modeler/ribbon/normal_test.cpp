@@ -10,6 +10,7 @@
 #include <cmath>
 #include <limits>
 
+#include "modeler/geometry/plane_fit.hpp"
 #include "modeler/ribbon/surfel.hpp"
 #include "test/modeler/ribbon/three_lines.hpp"
 
