@@ -63,7 +63,7 @@ ROOMS = {
                             ["Eigen", "CLI", "nlohmann", "sys"]),
     "eval/ros": Room(_TOOLS + _ROS + _SIM + ["sim/ros", "eval/metrics", "eval/results",
                                              "eval/experiment"], ANY),
-    "examples": Room(_TOOLS + _ROS + ["modeler/ros/bag", "examples"], ["Eigen", "ros"]),
+    "examples": Room(_TOOLS + _ROS + ["modeler/ros/bag", "examples"], ANY),
     "bench/": Room(_TOOLS + _SIM + ["modeler/ros/", "eval/", "bench/"], ANY),
 }
 

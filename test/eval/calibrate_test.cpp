@@ -101,7 +101,7 @@ TEST(ConfigToYaml, IsReadAsTheSameValues) {
   const ModelerConfig loaded = load_config(path.string());
   EXPECT_EQ(loaded.surface.bridged_gap_m, config.surface.bridged_gap_m);
   EXPECT_EQ(config_to_yaml(loaded), config_to_yaml(config));
-  EXPECT_THAT(content_of(path), HasSubstr("\nmap:\n  slam:\n    angle_deg: 3.2\n"));
+  EXPECT_THAT(content_of(path), HasSubstr("\nassociation:\n  slam:\n    angle_deg: 3.2\n"));
 }
 
 }  // namespace

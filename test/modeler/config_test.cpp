@@ -181,7 +181,7 @@ TEST_F(ConfigFile, WithoutSectionsAndKeysIsRefused) {
   expect_complaint("just words", {"sections with keys"});
   expect_complaint("surface: {cell_size_m: 0.1", {});
   expect_complaint("surface: {cell_size_m: 0.1}\nsurface: {cell_size_m: 0.2}", {"given twice"});
-  EXPECT_NE(std::string::npos, complaint_about(folder / "none.yaml").find("is there such a file"));
+  EXPECT_NE(std::string::npos, complaint_about(folder / "none.yaml").find("does the file exist"));
   EXPECT_NE("", complaint_about(folder));
 }
 

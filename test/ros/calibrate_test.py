@@ -27,7 +27,7 @@ class Calibrate(unittest.TestCase):
         preset = yaml.safe_load(text)
         self.assertEqual({section: set(keys) for section, keys in preset.items()},
                          {section: set(keys) for section, keys in usual.items()})
-        slam, corrected = preset['map']['slam'], preset['map']['corrected']
+        slam, corrected = preset['association']['slam'], preset['association']['corrected']
         self.assertGreater(slam['distance_m'], corrected['distance_m'])
         self.assertGreater(slam['angle_deg'], corrected['angle_deg'])
         self.assertLess(slam['distance_m'], 0.5)

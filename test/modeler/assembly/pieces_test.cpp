@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include "modeler/surface/surface.hpp"
+#include "modeler/surface/surface_config.hpp"
 #include "test/modeler/association/scene.hpp"
 
 namespace ribbon_mapper {
@@ -23,7 +24,7 @@ Scene two_patches(double step_m) {
 
 std::vector<Hypothesis> pieces_of(const Scene& scene, double gap_m) {
   const Hypothesis whole = scene.whole();
-  const Surface surface(whole, scene.observations(), {});
+  const Surface surface(whole, scene.observations(), SurfaceConfig{}.cell_size_m);
   return split(whole, surface.plane(), gap_m, scene.observations());
 }
 
