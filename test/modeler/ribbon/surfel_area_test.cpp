@@ -23,7 +23,8 @@ LineTriple lines_at(const std::array<double, 3>& tilts_rad, double range_m = 5.0
   std::vector<Line> lines;
   for (const double tilt_rad : tilts_rad) {
     const Pose pose = T_base_laser(tilt_rad);
-    lines.push_back({beams, {Pose::Identity(), Pose::Identity(), pose, pose, Pose::Identity()}});
+    const LinePoses poses{Pose::Identity(), Pose::Identity(), pose, pose, Pose::Identity()};
+    lines.push_back({beams, poses, Pose::Identity()});
   }
   return placed(lines);
 }
