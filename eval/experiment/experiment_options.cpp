@@ -209,12 +209,12 @@ std::variant<ExperimentOptions, int> parse_experiment_options(int argc, const ch
 }
 
 std::vector<std::uint64_t> seeds_from(const std::string& list) {
-  static const std::regex form(R"((\d{1,18})(?:(?:-|\.\.)(\d{1,18}))?)");
+  static const std::regex kForm(R"((\d{1,18})(?:(?:-|\.\.)(\d{1,18}))?)");
   std::set<std::uint64_t> seeds;
   std::istringstream parts(list);
   for (std::string part; std::getline(parts, part, ',');) {
     std::smatch match;
-    const bool is_well_formed = std::regex_match(part, match, form);
+    const bool is_well_formed = std::regex_match(part, match, kForm);
     const std::uint64_t first = is_well_formed ? std::stoull(match[1]) : 1;
     const std::uint64_t last = is_well_formed && match[2].matched ? std::stoull(match[2]) : first;
     if (!is_well_formed || last < first || last - first >= kMaxSeeds) {

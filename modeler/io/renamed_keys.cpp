@@ -9,7 +9,7 @@ namespace {
 
 /// Keys of version 0.1.0 with their present names.
 const std::map<std::string, std::string>& renamed_keys() {
-  static const std::map<std::string, std::string> keys{
+  static const std::map<std::string, std::string> kKeys{
       {"scan.least_range_m", "scan.min_range_m"},
       {"scan.most_range_m", "scan.max_range_m"},
       {"scan.veil_angle_deg", "scan.mixed_pixel_angle_deg"},
@@ -37,7 +37,7 @@ const std::map<std::string, std::string>& renamed_keys() {
       {"map.beside_plane_m", "assembly.beside_plane_m"},
       {"correction.poses_follow", "trajectory.poses_follow"},
   };
-  return keys;
+  return kKeys;
 }
 
 }  // namespace

@@ -15,8 +15,8 @@ namespace ribbon_mapper {
 namespace fs = std::filesystem;
 
 void check_save_name(const std::string& name) {
-  static const std::regex allowed("[A-Za-z0-9_][A-Za-z0-9_.-]{0,63}");
-  if (std::regex_match(name, allowed) && name.find("..") == std::string::npos) return;
+  static const std::regex kAllowed("[A-Za-z0-9_][A-Za-z0-9_.-]{0,63}");
+  if (std::regex_match(name, kAllowed) && name.find("..") == std::string::npos) return;
   throw std::invalid_argument(
       "save takes a name, not a path: a letter, digit or '_', then up to 63 letters, digits, '_', "
       "'.' or '-', without '..'; got \"" +
@@ -27,8 +27,8 @@ std::vector<fs::path> save_model(const std::vector<Plane>& planes, const fs::pat
                                  const std::string& name, double stripe_gap_m) {
   check_save_name(name);
   create_directory_for_files(directory);
-  const std::vector<fs::path> paths{directory / (name + ".json"), directory / (name + ".ply"),
-                                    directory / (name + "_cells.ply"), directory / (name + ".bt")};
+  std::vector<fs::path> paths{directory / (name + ".json"), directory / (name + ".ply"),
+                              directory / (name + "_cells.ply"), directory / (name + ".bt")};
   std::vector<StagedFile> files;
   files.emplace_back(paths[0], planes_to_json(planes));
   files.emplace_back(paths[1], planes_to_ply_mesh(planes, stripe_gap_m));

@@ -12,7 +12,7 @@ fs::path installed_directory() {
   std::error_code error;
   const fs::path program = fs::read_symlink("/proc/self/exe", error);  // <prefix>/lib/<package>/*
   const fs::path prefix = program.parent_path().parent_path().parent_path();
-  const fs::path installed = prefix / "share" / "ribbon_mapper";
+  fs::path installed = prefix / "share" / "ribbon_mapper";
   if (!error && fs::exists(installed / "eval", error)) return installed;
   return RIBBON_MAPPER_SOURCE_DIR;
 }
@@ -20,7 +20,7 @@ fs::path installed_directory() {
 fs::path find_installed_file(const fs::path& path) {
   std::error_code error;
   if (fs::exists(path, error)) return path;
-  const fs::path shared = installed_directory() / path;
+  fs::path shared = installed_directory() / path;
   return fs::exists(shared, error) ? shared : path;
 }
 

@@ -5,6 +5,7 @@
 #include <unistd.h>
 
 #include <array>
+#include <cmath>
 #include <cstdio>
 
 namespace ribbon_mapper {
@@ -57,7 +58,7 @@ void ProgressBar::print(const std::string& lines) {
 std::string ProgressBar::time_left(double done) const {
   if (done < 0.02 || done >= 1.0) return "";
   const std::chrono::duration<double> passed = std::chrono::steady_clock::now() - start_;
-  const auto left_s = static_cast<int>(passed.count() * (1.0 - done) / done + 0.5);
+  const auto left_s = static_cast<int>(std::lround(passed.count() * (1.0 - done) / done));
   std::array<char, 32> text;
   std::snprintf(text.data(), text.size(), ", %d:%02d left", left_s / 60, left_s % 60);
   return text.data();

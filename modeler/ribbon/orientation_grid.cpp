@@ -43,6 +43,8 @@ OrientationGrid::OrientationGrid(double cell_deg) {
 
 std::size_t OrientationGrid::cell_of(const Eigen::Vector3d& normal) const {
   const double sine = std::sqrt(std::max(0.0, 1.0 - normal.z() * normal.z()));
+  // Not lround(), which takes as long as the rest; the number is never negative.
+  // NOLINTNEXTLINE(bugprone-incorrect-roundings)
   const auto row = static_cast<std::size_t>(turn_of(sine, normal.z()) * rows_per_turn_ + 0.5);
   const std::size_t cells = first_cell_[row + 1] - first_cell_[row];
   const double turn = turn_of(normal.y(), normal.x()) + 0.5;

@@ -23,7 +23,7 @@ double fraction_of(Time time, Time from, Time to) {
 /// Returns the recorded pose at a time within the recording, interpolated.
 TrackedPose recorded_at(const TrackedPoses& recorded, Time time) {
   const std::size_t after = count_until(recorded, time);
-  const TrackedPose from = recorded[after - 1];
+  TrackedPose from = recorded[after - 1];
   if (from.in_map.stamp == time || after == recorded.size()) return from;
   const TrackedPose to = recorded[after];
   const double fraction = fraction_of(time, from.in_map.stamp, to.in_map.stamp);

@@ -17,8 +17,11 @@ void LineIntake::add(const sensor_msgs::LaserScan& scan, const Moment& now) {
   if (!line.defect && line.beams.stamp <= Time(0)) line.defect = "stamp is zero";
   admit_held(now);
   const Run run = line.defect ? Run::current : sorter_.sort(scan.header.stamp);
-  if (run == Run::current) admit(std::move(line));
-  if (run == Run::next) held_.push_back(std::move(line));
+  if (run == Run::current) {
+    admit(std::move(line));
+  } else if (run == Run::next) {
+    held_.push_back(std::move(line));
+  }
 }
 
 void LineIntake::admit(WaitingLine line) {

@@ -42,7 +42,7 @@ std::string StrictParameters::text(const std::string& key, const std::string& fa
 }
 
 std::string StrictParameters::required_text(const std::string& key, const std::string& meaning) {
-  const std::string value = text(key, "");
+  std::string value = text(key, "");
   if (value.empty()) refuse(full_name(key), "is missing: set it to " + meaning);
   return value;
 }

@@ -10,11 +10,11 @@ namespace ribbon_mapper {
 namespace {
 
 const std::map<std::string, std::size_t>& primitive_sizes() {
-  static const std::map<std::string, std::size_t> sizes{
+  static const std::map<std::string, std::size_t> kSizes{
       {"bool", 1},   {"byte", 1},    {"char", 1},    {"int8", 1},   {"uint8", 1},
       {"int16", 2},  {"uint16", 2},  {"int32", 4},   {"uint32", 4}, {"int64", 8},
       {"uint64", 8}, {"float32", 4}, {"float64", 8}, {"time", 8},   {"duration", 8}};
-  return sizes;
+  return kSizes;
 }
 
 template <typename Number>
