@@ -64,8 +64,9 @@ double sigma_m(RangeNoise noise, double range_m) {
 
 void HokuyoConfig::set_beams(int count) {
   constexpr double kWithinStep = 1e-3;  // so that rounding removes no beam
-  angle_min_rad = (kWithinStep - count / 2) * angle_increment_rad;
-  angle_max_rad = (count - 1 - count / 2 + kWithinStep) * angle_increment_rad;
+  const int beams_before_middle = count / 2, beams_after_middle = count - 1 - count / 2;
+  angle_min_rad = (kWithinStep - beams_before_middle) * angle_increment_rad;
+  angle_max_rad = (beams_after_middle + kWithinStep) * angle_increment_rad;
 }
 
 void HokuyoConfig::validate() const {
