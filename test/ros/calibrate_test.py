@@ -31,7 +31,7 @@ class Calibrate(unittest.TestCase):
         self.assertGreater(slam['distance_m'], corrected['distance_m'])
         self.assertGreater(slam['angle_deg'], corrected['angle_deg'])
         self.assertLess(slam['distance_m'], 0.5)
-        self.assertEqual(corrected, usual['map']['corrected'], 'the sensor alone is better than that')
+        self.assertEqual(corrected, usual['association']['corrected'], 'the sensor alone is better than that')
 
 
 if __name__ == '__main__':
