@@ -2,10 +2,10 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Holds doc comments and the length of functions; the checks are checked, too."""
 import pathlib
-import tempfile
 import unittest
 
 import documented
+import planted
 from documented import cpp_reader
 
 PROJECT = pathlib.Path(__file__).resolve().parents[2]
@@ -80,17 +80,7 @@ class Reader(unittest.TestCase):
                          [tuple(each) for each in cpp_reader.read(text)[1]])
 
 
-class PlantedDefects(unittest.TestCase):
-    def setUp(self):
-        folder = tempfile.TemporaryDirectory()
-        self.addCleanup(folder.cleanup)
-        self.root = pathlib.Path(folder.name)
-
-    def plant(self, name, text):
-        path = self.root / name
-        path.parent.mkdir(parents=True, exist_ok=True)
-        path.write_text(text)
-
+class PlantedDefects(planted.PlantedProject):
     def test_an_undocumented_declaration(self):
         self.plant("sim/a/a.hpp", "/// Runs.\nvoid f();\n" * 30)
         self.plant("sim/b/b.hpp", "void g();\n")

@@ -4,8 +4,9 @@
 import importlib.machinery
 import importlib.util
 import pathlib
-import tempfile
 import unittest
+
+import planted
 
 PROJECT = pathlib.Path(__file__).resolve().parents[2]
 LOADER = importlib.machinery.SourceFileLoader("house_table", str(PROJECT / "tools/house_table"))
@@ -14,11 +15,9 @@ house_table = importlib.util.module_from_spec(
 LOADER.exec_module(house_table)
 
 
-class Table(unittest.TestCase):
+class Table(planted.PlantedProject):
     def setUp(self):
-        folder = tempfile.TemporaryDirectory()
-        self.addCleanup(folder.cleanup)
-        self.root = pathlib.Path(folder.name)
+        super().setUp()
         self.plant("sim/world/wall.hpp", "/// A wall.\nstruct Wall {\n  int a;\n};\n")
         self.plant("sim/world/wall.cpp", "// A comment.\nint f() {\n  return 1;\n}\n\nint g();\n")
         self.plant("sim/tour/tour.hpp", "/// Drives.\nint drive();\n")
@@ -26,11 +25,6 @@ class Table(unittest.TestCase):
                    '#include "sim/world/wall.hpp"\nint a;\nint b;\n')
         self.plant("test/sim/route_test.cpp", '#include "sim/tour/tour.hpp"\n')
         self.plant("test/ros/node_test.py", "print()\n")
-
-    def plant(self, name, text):
-        path = self.root / name
-        path.parent.mkdir(parents=True, exist_ok=True)
-        path.write_text(text)
 
     def row(self, name):
         rows, _ = house_table.table(self.root)

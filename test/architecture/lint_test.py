@@ -5,31 +5,19 @@ import json
 import pathlib
 import shutil
 import subprocess
-import tempfile
 import unittest
+
+import planted
 
 PROJECT = pathlib.Path(__file__).resolve().parents[2]
 SETTINGS = PROJECT / "cmake/settings.cmake"
 
 
-class Scratch(unittest.TestCase):
-    def setUp(self):
-        folder = tempfile.TemporaryDirectory()
-        self.addCleanup(folder.cleanup)
-        self.root = pathlib.Path(folder.name)
-
-    def plant(self, text, name="modeler/a.cpp"):
-        path = self.root / name
-        path.parent.mkdir(parents=True, exist_ok=True)
-        path.write_text(text)
-        return path
-
-
 @unittest.skipUnless(shutil.which("clang-tidy-14"), "./install_dependencies lint")
-class Lint(Scratch):
+class Lint(planted.PlantedProject):
     def lint(self, text, name="modeler/a.cpp"):
         """Returns the exit status and the output of lint on a project of one source."""
-        source = self.plant(text, name)
+        source = self.plant(name, text)
         for rules in [".clang-format", ".clang-tidy"]:
             shutil.copy(PROJECT / rules, self.root)
         (self.root / "build").mkdir(exist_ok=True)
@@ -87,13 +75,13 @@ class Lint(Scratch):
         self.assert_found("", "names no source", name="elsewhere/a.cpp")
 
 
-class Warnings(Scratch):
+class Warnings(planted.PlantedProject):
     def build(self, text, compiler, target="ribbon_mapper_core_options"):
         """Returns the exit status and the output of building one source with our warnings."""
-        self.plant(text, "a.cpp")
-        self.plant(f"cmake_minimum_required(VERSION 3.16)\nproject(a CXX)\ninclude({SETTINGS})\n"
-                   f"add_library(a STATIC a.cpp)\ntarget_link_libraries(a {target})\n",
-                   "CMakeLists.txt")
+        self.plant("a.cpp", text)
+        self.plant("CMakeLists.txt",
+                   f"cmake_minimum_required(VERSION 3.16)\nproject(a CXX)\ninclude({SETTINGS})\n"
+                   f"add_library(a STATIC a.cpp)\ntarget_link_libraries(a {target})\n")
         build = self.root / compiler / target
         subprocess.run(["cmake", "-S", self.root, "-B", build, "-DRIBBON_MAPPER_WERROR=ON",
                         f"-DCMAKE_CXX_COMPILER={compiler}"], check=True, stdout=subprocess.DEVNULL)

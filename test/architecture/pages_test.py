@@ -2,10 +2,10 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Holds the links of the pages and the form of their commands; the checks are checked, too."""
 import pathlib
-import tempfile
 import unittest
 
 import pages
+import planted
 
 PROJECT = pathlib.Path(__file__).resolve().parents[2]
 
@@ -27,17 +27,7 @@ class Project(unittest.TestCase):
         self.assertTrue([block for block in pages.blocks(PROJECT) if block.language == "bash"])
 
 
-class PlantedDefects(unittest.TestCase):
-    def setUp(self):
-        folder = tempfile.TemporaryDirectory()
-        self.addCleanup(folder.cleanup)
-        self.root = pathlib.Path(folder.name)
-
-    def plant(self, name, text):
-        path = self.root / name
-        path.parent.mkdir(parents=True, exist_ok=True)
-        path.write_text(text)
-
+class PlantedDefects(planted.PlantedProject):
     def test_good_pages(self):
         self.plant("README.md", "# A title\n[a](#a-title) [b](docs/b.md#the-second-one-1) "
                    "[c](https://example.org/x) `[d](no.md)`\n```text\n[e](no.md)\n```\n")

@@ -2,9 +2,9 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Holds the arrows between the rooms and the sizes of files; the checks are checked, too."""
 import pathlib
-import tempfile
 import unittest
 
+import planted
 import rooms
 
 PROJECT = pathlib.Path(__file__).resolve().parents[2]
@@ -26,16 +26,8 @@ class Project(unittest.TestCase):
             self.assertTrue(list((PROJECT / room).glob("*.hpp")), room)
 
 
-class PlantedDefects(unittest.TestCase):
-    def setUp(self):
-        folder = tempfile.TemporaryDirectory()
-        self.addCleanup(folder.cleanup)
-        self.root = pathlib.Path(folder.name)
-
-    def plant(self, name, text):
-        path = self.root / name
-        path.parent.mkdir(parents=True, exist_ok=True)
-        path.write_text(SPDX + text)
+class PlantedDefects(planted.PlantedProject):
+    HEAD = SPDX
 
     def assert_one(self, messages, *parts):
         self.assertEqual(1, len(messages), messages)

@@ -56,7 +56,9 @@ double range_m(const World& world, const Eigen::Vector3d& origin,
                const Eigen::Vector3d& direction) {
   double nearest = std::numeric_limits<double>::infinity();
   for (const Face& face : world) {
-    const double range = -(face.normal.dot(origin) + face.d_m) / face.normal.dot(direction);
+    const double approach = face.normal.dot(direction);
+    if (approach == 0.0) continue;  // parallel to the face
+    const double range = -(face.normal.dot(origin) + face.d_m) / approach;
     if (!(range > 0.0) || range >= nearest) continue;
     const Eigen::Vector3d hit = origin + range * direction;
     if (face.bounds.exteriorDistance(hit) < 1e-9) nearest = range;
