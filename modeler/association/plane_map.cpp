@@ -109,7 +109,8 @@ void PlaneMap::refresh(std::uint32_t slot) {
 /// Merges the hypothesis at `slot` with those of the matches that are one plane with it.
 void PlaneMap::merge_with(const std::vector<std::uint32_t>& matches, std::uint32_t slot) {
   for (const std::uint32_t other : matches) {
-    if (other == slot) continue;
+    // A match may be gone: it was merged into a larger one before.
+    if (other == slot || !is_alive(other)) continue;
     const bool is_larger = hypotheses_[slot].area_m2() >= hypotheses_[other].area_m2();
     const std::uint32_t larger = is_larger ? slot : other;
     const std::uint32_t smaller = is_larger ? other : slot;
