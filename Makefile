@@ -6,7 +6,8 @@ JOBS ?= $(shell nproc)
 GROUP :=
 # Debian's Python, which ROS belongs to, whichever other is in the path.
 PYTHON := -DPYTHON_EXECUTABLE=/usr/bin/python3 -DPython3_EXECUTABLE=/usr/bin/python3
-SANITIZER_OPTIONS := ASAN_OPTIONS=detect_stack_use_after_return=1 UBSAN_OPTIONS=print_stacktrace=1
+SANITIZER_OPTIONS := ASAN_OPTIONS=detect_stack_use_after_return=1 UBSAN_OPTIONS=print_stacktrace=1 \
+  LSAN_OPTIONS=suppressions=$(CURDIR)/cmake/leaks.supp RIBBON_MAPPER_MUTATIONS=10000
 
 build: ## install what is needed, configure and build
 	./install_dependencies $(GROUP)
