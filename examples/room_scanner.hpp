@@ -34,6 +34,7 @@ inline double range_m(const Eigen::Vector3d& origin, const Eigen::Vector3d& dire
   const Eigen::Vector3d low(-3.0, -2.5, 0.0), high(3.0, 2.5, 2.5);
   double nearest_m = std::numeric_limits<double>::infinity();
   for (int axis = 0; axis < 3; ++axis) {
+    if (direction[axis] == 0.0) continue;  // parallel to the wall
     const double wall = direction[axis] > 0.0 ? high[axis] : low[axis];
     nearest_m = std::min(nearest_m, std::abs((wall - origin[axis]) / direction[axis]));
   }

@@ -95,7 +95,9 @@ std::optional<Hit> searched(const World& world, const Ray& ray) {
   for (const Triangle& triangle : world.triangles()) {
     const auto& [a, b, c] = triangle.corners_m;
     const Vector3d normal = (b - a).cross(c - a);
-    const double range_m = normal.dot(a - ray.origin) / normal.dot(ray.direction);
+    const double approach = normal.dot(ray.direction);
+    if (approach == 0.0) continue;  // parallel to the triangle
+    const double range_m = normal.dot(a - ray.origin) / approach;
     if (!(range_m > 0.0) || range_m >= (nearest ? nearest->range_m : kMaxRange_m)) continue;
     const Vector3d p = ray.origin + range_m * ray.direction;
     const bool is_inside = normal.dot((b - a).cross(p - a)) >= 0.0 &&
