@@ -9,11 +9,11 @@
 namespace ribbon_mapper {
 namespace {
 
-/// Largest distance of the robot from the origin along an axis [m]. Sums of squares over a line are
-/// exact to 1e-8 m2 there, a thousandth of the sensor's variance.
-constexpr double kMaxDistance_m = 500.0;
+/// Largest distance of the robot from the origin along an axis [m]. At five times as much, sums of
+/// squares change a plane's area by 2 %; their error grows with the square of the distance.
+constexpr double kMaxDistance_m = 100.0;
 /// Origins are multiples of this power of two [m], so that subtracting them rounds nothing.
-constexpr double kOriginStep_m = 256.0;
+constexpr double kOriginStep_m = 64.0;
 
 /// Returns the poses with those in odom relative to `origin`.
 LinePoses relative_to(const Eigen::Vector3d& origin, LinePoses poses) {

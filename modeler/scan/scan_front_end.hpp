@@ -27,7 +27,7 @@ const char* to_string(LineResult result);
 /// the estimation of normals.
 ///
 /// Positions in odom become relative to an origin near the robot, which moves along where the robot
-/// leaves its surroundings of 500 m. Lines before and after such a move are not paired.
+/// leaves its surroundings of 100 m. Lines before and after such a move are not paired.
 class ScanFrontEnd {
  public:
   /// Creates a front end without lines. `config` must be valid.

@@ -179,7 +179,9 @@ void FileSet::remove_leftovers() {
   const std::string current = target_of(own_folder() / kCurrent).string();
   std::error_code error;
   for (const std::string& name : names_in(own_folder())) {
-    if (name != kCurrent && name != current) fs::remove_all(own_folder() / name, error);
+    // A copy that followed links has made a folder of `current`, and files of the links to it.
+    const bool is_needed = !current.empty() && (name == kCurrent || name == current);
+    if (!is_needed) fs::remove_all(own_folder() / name, error);
   }
   for (const std::string& name : names_in(directory_)) {
     const fs::path visible = directory_ / name;

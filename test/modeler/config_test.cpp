@@ -179,8 +179,7 @@ TEST_F(ConfigFile, WithWrongValuesIsRefusedWithTheKey) {
 TEST_F(ConfigFile, WithAliasesThatLeadToThemselvesIsRefused) {
   expect_complaint("&a {scan: *a}", {"unknown key scan.scan.scan.scan.scan"});
   expect_complaint("scan: &a {scan: *a}", {"unknown key scan.scan.scan.scan.scan"});
-  expect_complaint("surface: &a\n  cell_size_m: *a\n",
-                   {"unknown key surface.cell_size_m.cell_size_m"});
+  expect_complaint("surface: &a\n  cell_size_m: *a\n", {"surface.cell_size_m must be a number"});
   expect_complaint("association: &a {slam: *a}", {"unknown key association.slam.slam"});
   expect_complaint("foo: &a [*a]", {"unknown key foo"});
   expect_complaint("surface: {cell_size_m: &a [*a]}", {"surface.cell_size_m must be a number"});
@@ -211,16 +210,18 @@ TEST_F(ConfigFile, TakesNumbersAsYamlWritesThem) {
     const auto text = std::string("surface: {cell_size_m: ") + number + "}";
     EXPECT_EQ(0.5, load_config(write(text)).surface.cell_size_m) << number;
   }
-  for (const char* text : {"0,5", "0.5 m", "1e999", "+-1", "0x1p-1", "\"\"", "[0.5]", "~"}) {
+  for (const char* text : {"0,5", "0.5 m", "1e999", "0x1p-1", "\"\"", "[0.5]", "~"}) {
     expect_complaint(std::string("surface: {cell_size_m: ") + text + "}", {"must be a number"});
   }
   expect_complaint("ribbon: {min_points: 99999999999}", {"ribbon.min_points must be a number"});
 }
 
 TEST_F(ConfigFile, WithLongNamesIsRefusedInFewWords) {
-  const std::string words = complaint_about(write(std::string(2'000'000, 'x') + ": 1"));
-  EXPECT_NE(std::string::npos, words.find("unknown key xxx")) << words.substr(0, 100);
-  EXPECT_LT(words.size(), 4000u);
+  for (const std::size_t length : {1000u, 2'000'000u}) {
+    const std::string words = complaint_about(write(std::string(length, 'x') + ": 1"));
+    EXPECT_NE(std::string::npos, words.find("my.yaml: ")) << words.substr(0, 100);
+    EXPECT_LT(words.size(), 3000u);
+  }
 }
 
 TEST_F(ConfigFile, WithoutSectionsAndKeysIsRefused) {
