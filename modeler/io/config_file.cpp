@@ -49,7 +49,7 @@ struct KnownNames {
   }
   std::string list;
   for (const std::string& name : known.keys) list += "\n  " + name;
-  throw std::invalid_argument("unknown key " + in_one_line(key) + "; known are" + list);
+  throw std::invalid_argument("unknown key " + in_one_line(key, 80) + "; known are" + list);
 }
 
 /// Collects the values of known keys. Refuses the first other one, so that the work is limited by

@@ -82,14 +82,22 @@ void write_moved_room(const std::string& parent, const Eigen::Vector3d& shift, c
   }
 }
 
-/// Expects the planes of another run, moved.
+/// Expects the planes of another run, moved, under any ids. Areas may differ by 3 %: before the
+/// first corrected pose, a line is where a map far from its odometry puts it.
 void expect_moved(const std::vector<Plane>& before, const std::vector<Plane>& after,
                   const Eigen::Vector3d& shift) {
   ASSERT_EQ(before.size(), after.size());
-  for (std::size_t i = 0; i < before.size(); ++i) {
-    EXPECT_LT((before[i].normal - after[i].normal).norm(), 1e-4) << i;
-    EXPECT_LT((before[i].centroid + shift - after[i].centroid).norm(), 0.001) << i;
-    EXPECT_NEAR(before[i].area_m2, after[i].area_m2, 0.002 * before[i].area_m2) << i;
+  for (const Plane& plane : before) {
+    EXPECT_EQ(1, std::count_if(after.begin(), after.end(),
+                               [&](const Plane& other) {
+                                 const double distance_m =
+                                     plane.normal.dot(other.centroid - shift) + plane.d_m;
+                                 return (plane.normal - other.normal).norm() < 1e-3 &&
+                                        std::abs(distance_m) < 0.003 &&
+                                        std::abs(plane.area_m2 - other.area_m2) <
+                                            0.03 * plane.area_m2;
+                               }))
+        << "plane " << plane.id;
   }
 }
 
