@@ -210,7 +210,7 @@ TEST_F(ConfigFile, TakesNumbersAsYamlWritesThem) {
     const auto text = std::string("surface: {cell_size_m: ") + number + "}";
     EXPECT_EQ(0.5, load_config(write(text)).surface.cell_size_m) << number;
   }
-  for (const char* text : {"0,5", "0.5 m", "1e999", "0x1p-1", "\"\"", "[0.5]", "~"}) {
+  for (const char* text : {"'0,5'", "0.5 m", "1e999", "0x1p-1", "\"\"", "[0.5]", "~"}) {
     expect_complaint(std::string("surface: {cell_size_m: ") + text + "}", {"must be a number"});
   }
   expect_complaint("ribbon: {min_points: 99999999999}", {"ribbon.min_points must be a number"});
