@@ -1,12 +1,13 @@
 // SPDX-FileCopyrightText: 2026 ribbon_mapper authors
 // SPDX-License-Identifier: BSD-3-Clause
 #include "modeler/geometry/pose.hpp"
-#include "modeler/geometry/pose_defect.hpp"
 
 #include <gtest/gtest.h>
 
 #include <limits>
 #include <random>
+
+#include "modeler/geometry/pose_defect.hpp"
 
 namespace ribbon_mapper {
 namespace {
