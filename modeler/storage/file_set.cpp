@@ -84,9 +84,8 @@ FileSet::FileSet(FileSet&& other) noexcept
       folder_(std::exchange(other.folder_, fs::path())) {}
 
 FileSet::~FileSet() {
-  if (!lock_.is_open()) return;
   if (!folder_.empty()) remove_leftovers();
-  ::rmdir(own_folder().c_str());  // fails if there are files
+  release();
 }
 
 void FileSet::add(const std::string& file, const std::string& bytes) {
@@ -116,7 +115,15 @@ std::vector<fs::path> FileSet::commit() {
     remove_leftovers_of(directory_ / file);
     paths.push_back(directory_ / file);
   }
+  release();
   return paths;
+}
+
+/// Lets other processes write the set, and removes its own folder if that is empty.
+void FileSet::release() {
+  if (!lock_.is_open()) return;
+  ::rmdir(own_folder().c_str());  // fails if there are files
+  lock_ = Descriptor();
 }
 
 /// Returns where the link to a file leads.

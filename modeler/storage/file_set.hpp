@@ -52,6 +52,7 @@ class FileSet {
   void replace_link(const std::filesystem::path& target, const std::filesystem::path& link);
   void rename_into_place(const std::string& file);
   void remove_leftovers();
+  void release();
 
   std::filesystem::path directory_;
   std::string set_;               // name of the set's own folder

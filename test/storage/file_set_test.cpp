@@ -80,6 +80,15 @@ TEST(FileSet, WithoutCommitTheOldFilesStay) {
   EXPECT_EQ(own_names(directory.path()).size(), 2U);
 }
 
+TEST(FileSet, MayBeWrittenAgainAsSoonAsItIsCommitted) {
+  const TemporaryDirectory directory;
+  FileSet set(directory.path(), "set");
+  set.add("a", "old a");
+  set.commit();
+  write(directory.path(), kNew);
+  EXPECT_EQ(found_in(directory.path()), kNew);
+}
+
 TEST(FileSet, RemovesFilesThatTheNewSetHasNot) {
   const TemporaryDirectory directory;
   std::ofstream(directory.path() / "of the user") << "stays";
