@@ -49,14 +49,17 @@ void save(int number, const fs::path& directory) {
   }
 }
 
-/// Starts a process that saves, and kills it some time after its first save has begun.
+/// Starts a process that saves, and kills it some time after its first, second or third save has
+/// begun.
 void save_and_kill(int first, const fs::path& directory, std::mt19937& random) {
   int ends[2];
   ASSERT_EQ(pipe(ends), 0);
   const pid_t child = fork();
   if (child == 0) save_for_ever(first, directory, ends[1]);
   char byte = 0;
-  ASSERT_EQ(read(ends[0], &byte, 1), 1);
+  for (auto begun = std::uniform_int_distribution(1, 3)(random); begun > 0; --begun) {
+    ASSERT_EQ(read(ends[0], &byte, 1), 1);
+  }
   usleep(std::uniform_int_distribution<useconds_t>(0, 20'000)(random));
   kill(child, SIGKILL);
   waitpid(child, nullptr, 0);
