@@ -6,7 +6,8 @@
 #include <fstream>
 #include <set>
 
-#include "modeler/io/atomic_file.hpp"
+#include "modeler/storage/atomic_file.hpp"
+#include "modeler/storage/disk.hpp"
 
 namespace ribbon_mapper::bench {
 namespace {

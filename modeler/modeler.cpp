@@ -21,7 +21,7 @@ const ModelerConfig& validated(const ModelerConfig& config) {
 
 /// Returns the acquisition pose of a line.
 TrackedPose acquisition_pose(const ScanLine& line) {
-  return {{line.stamp, line.T_map_base}, line.T_odom_base};
+  return {{line.stamp, line.T_map_base}, Eigen::Translation3d(line.odom_origin) * line.T_odom_base};
 }
 
 }  // namespace
@@ -50,28 +50,26 @@ struct Modeler::State {
     if (limit == 0 || count <= limit) return;
     const std::vector<std::uint32_t> former_indices = observations.thin(limit - limit / 8);
     thinned += count - former_indices.size();
-    evaluate(plane_map.gates(), former_indices);
+    plane_map = evaluated(observations.posed(), plane_map.gates(), former_indices);
   }
 
   /// Refines the poses between corrected ones where these are too sparse for odometry alone.
-  void register_lines() {
+  void register_lines(Trajectory& trajectory) const {
     const SharedSettings shared{config.scan.range_sigma_m, config.association.corrected,
                                 config.surface.bridged_gap_m};
-    const std::vector<StampedPose> registered = registered_poses(
-        observations.ribbons(), observations.trajectory(), config.registration, shared);
-    if (!registered.empty()) observations.refine(registered);
+    const std::vector<StampedPose> registered =
+        registered_poses(observations.ribbons(), trajectory, config.registration, shared);
+    if (!registered.empty()) trajectory.refine(registered);
   }
 
-  /// Associates all ribbons again, at the poses of now. Planes keep the ids of those that share
-  /// most of their ribbons; `former_indices` are the ribbons' indices in the present map, if they
-  /// changed.
-  void evaluate(const AssociationGates& gates,
-                const std::vector<std::uint32_t>& former_indices = {}) {
-    PlaneMap evaluated(config.surface.bridged_gap_m, gates, plane_map.next_id());
-    const PosedObservations posed = observations.posed();
-    for (std::uint32_t i = 0; i < posed.ribbon_count(); ++i) evaluated.add(posed.ribbon(i), i);
-    evaluated.take_ids_from(plane_map, former_indices);
-    plane_map = std::move(evaluated);
+  /// Returns all ribbons, associated again. Planes keep the ids of those that share most of their
+  /// ribbons; `former_indices` are the ribbons' indices in the present map, if they changed.
+  PlaneMap evaluated(const PosedObservations& posed, const AssociationGates& gates,
+                     const std::vector<std::uint32_t>& former_indices = {}) const {
+    PlaneMap map(config.surface.bridged_gap_m, gates, plane_map.next_id());
+    for (std::uint32_t i = 0; i < posed.ribbon_count(); ++i) map.add(posed.ribbon(i), i);
+    map.take_ids_from(plane_map, former_indices);
+    return map;
   }
 
   ModelerConfig config;
@@ -103,9 +101,13 @@ LineResult Modeler::add_scan_line(const LaserBeams& beams, const LinePoses& pose
 
 void Modeler::correct(const std::vector<StampedPose>& corrected_trajectory) {
   State& s = *state_;
-  s.observations.correct(corrected_trajectory);
-  s.register_lines();
-  s.evaluate(s.config.association.corrected);
+  Trajectory trajectory = s.observations.trajectory();  // the model changes when all is computed
+  trajectory.correct(corrected_trajectory);
+  s.register_lines(trajectory);
+  PlaneMap plane_map =
+      s.evaluated(s.observations.posed_at(trajectory), s.config.association.corrected);
+  s.observations.move_to(std::move(trajectory));
+  s.plane_map = std::move(plane_map);
   ++s.revision;
 }
 

@@ -38,7 +38,8 @@ class Modeler {
 
   /// Adds a scan line: buffer, surfels, ribbons and association (sections 4.1 to 4.3 of the paper).
   ///
-  /// Returns what became of the line, and never throws because of bad data. When the model exceeds
+  /// Returns what became of the line, and never throws because of bad data. After std::bad_alloc,
+  /// the line may be in the model in part: reset() or destroy the modeler. When the model exceeds
   /// ObservationsConfig::max_ribbons, it is thinned by an eighth and evaluated again.
   LineResult add_scan_line(const LaserBeams& beams, const LinePoses& poses);
 
@@ -54,8 +55,8 @@ class Modeler {
   /// TrajectoryConfig::poses_follow tells how later lines are placed. A correction takes about 0.1
   /// s for 100 s of recording, and ten times that if lines must be registered.
   ///
-  /// Throws std::invalid_argument if the trajectory is empty, unordered or not finite, or does not
-  /// overlap the model in time; the model is then unchanged.
+  /// Throws std::invalid_argument if the trajectory is empty or unordered, a pose has a defect, or
+  /// it does not overlap the model in time. The model is then unchanged, as after any exception.
   void correct(const std::vector<StampedPose>& corrected_trajectory);
 
   /// Removes all observations and starts an empty model.

@@ -1,5 +1,6 @@
 // SPDX-FileCopyrightText: 2026 ribbon_mapper authors
 // SPDX-License-Identifier: BSD-3-Clause
+#include <locale>
 #include <sstream>
 #include <stdexcept>
 #include <string>
@@ -14,6 +15,7 @@ struct RangeCheck {
   void operator()(const char* key, const Number& value, double least, double most) const {
     if (value >= least && value <= most) return;  // false for NaN, too
     std::ostringstream message;
+    message.imbue(std::locale::classic());
     message << key << " is " << value << ": it must lie in " << least << " .. " << most;
     throw std::invalid_argument(message.str());
   }

@@ -5,7 +5,8 @@
 #include <cstdio>
 #include <string>
 
-#include "modeler/io/atomic_file.hpp"
+#include "modeler/storage/atomic_file.hpp"
+#include "modeler/storage/disk.hpp"
 
 namespace ribbon_mapper::bench {
 namespace {

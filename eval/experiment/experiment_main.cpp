@@ -4,10 +4,10 @@
 // Runs the paper's experiment without ROS; see `experiment --help`.
 
 #include <cstdio>
-#include <exception>
 #include <fstream>
 #include <mutex>
 #include <optional>
+#include <stdexcept>
 
 #include "eval/experiment/calibrate.hpp"
 #include "eval/experiment/experiment_options.hpp"
@@ -15,11 +15,13 @@
 #include "eval/experiment/series.hpp"
 #include "eval/results/run_log.hpp"
 #include "eval/results/series_summary.hpp"
-#include "modeler/io/atomic_file.hpp"
 #include "modeler/io/calibrated_preset.hpp"
 #include "modeler/program/figure.hpp"
 #include "modeler/program/installed_files.hpp"
 #include "modeler/program/progress_bar.hpp"
+#include "modeler/program/run_program.hpp"
+#include "modeler/storage/atomic_file.hpp"
+#include "modeler/storage/disk.hpp"
 
 namespace {
 
@@ -32,10 +34,11 @@ void run_one(const ExperimentOptions& options) {
   {
     ProgressBar bar;
     const Results results = make_run(options.runs.front(), [&](const Progress& p) { bar.show(p); });
-    write_results(results, options.output);
     summary = results.summary;
+    FileSet files = staged_results(results, options.output);
+    if (options.with_figure) draw_figure(Figure::before_after, files.folder(), options.output);
+    files.commit();
   }
-  if (options.with_figure) draw_figure(Figure::before_after, options.output);
   std::printf("%s\nresults in %s\n", summary_table(summary).c_str(), options.output.c_str());
 }
 
@@ -74,6 +77,7 @@ void make_missing_runs(const ExperimentOptions& options, RunLog& log) {
     const std::lock_guard<std::mutex> lock(mutex);
     log.append(line);
     timings << timing_line(summary) << std::flush;
+    if (!timings) throw std::runtime_error("timings.jsonl cannot be written; is the disk full?");
     return series_table_row(label_of(run, options.runs), parse_run_line(line), label_width);
   };
   make_runs(missing, options.jobs, run_and_log, bar);
@@ -115,9 +119,9 @@ void calibrate(const ExperimentOptions& options) {
 }  // namespace
 
 int main(int argc, char** argv) {
-  const auto options = parse_experiment_options(argc, argv);
-  if (const int* exit_code = std::get_if<int>(&options)) return *exit_code;
-  try {
+  return run_program("experiment", [&] {
+    const auto options = parse_experiment_options(argc, argv);
+    if (const int* exit_code = std::get_if<int>(&options)) return *exit_code;
     const auto& chosen = std::get<ExperimentOptions>(options);
     if (chosen.calibrate) {
       calibrate(chosen);
@@ -127,8 +131,5 @@ int main(int argc, char** argv) {
       chosen.is_series ? run_series(chosen) : run_one(chosen);
     }
     return 0;
-  } catch (const std::exception& error) {
-    std::fprintf(stderr, "experiment: %s\n", error.what());
-    return 1;
-  }
+  });
 }

@@ -37,6 +37,14 @@ def load_json(path):
     return json.loads(path.read_text(encoding="utf-8"))
 
 
+def origin_of(header):
+    """Returns what was subtracted from the points of a PLY file [m]."""
+    for line in header:
+        if line.startswith("comment origin "):
+            return numpy.array(line.split()[2:], float)
+    return numpy.zeros(3)
+
+
 def load_cells(path):
     """Returns points [m], colours (0..1) and plane ids of a PLY cloud, binary or ASCII."""
     data = path.read_bytes()
@@ -52,7 +60,7 @@ def load_cells(path):
         table = {name: rows[:, i] for i, (_, name) in enumerate(fields)}
     else:
         table = numpy.frombuffer(body, kind, count)
-    points = numpy.stack([table[axis] for axis in "xyz"], axis=1)
+    points = numpy.stack([table[axis] for axis in "xyz"], axis=1) + origin_of(lines)
     colours = numpy.stack([table[c] for c in ("red", "green", "blue")], axis=1) / 255.0
     return points, colours, table["plane_id"].astype(int)
 

@@ -7,7 +7,6 @@
 #include <nlohmann/json.hpp>
 
 #include "modeler/geometry/angles.hpp"
-#include "modeler/io/atomic_file.hpp"
 #include "modeler/io/colour.hpp"
 #include "modeler/io/planes_json.hpp"
 #include "modeler/io/save.hpp"
@@ -33,7 +32,7 @@ std::string hex(const Colour& colour) {
 }
 
 /// Returns the figure's input beside the planes: outlines of the world and colours of the planes.
-std::string figure_data(const Results& results) {
+std::string figure_data(const Results& results, const std::string& run_id) {
   nlohmann::ordered_json outlines = nlohmann::ordered_json::array();
   for (const auto& polygon : results.world_outlines) {
     auto& points = outlines.emplace_back(nlohmann::ordered_json::array());
@@ -45,7 +44,9 @@ std::string figure_data(const Results& results) {
       colours[std::to_string(plane.id)] = hex(plane_colour(plane.id));
     }
   }
-  return nlohmann::ordered_json{{"world_outlines", outlines}, {"colours", colours}}.dump() + "\n";
+  const nlohmann::ordered_json data{
+      {"run", run_id}, {"world_outlines", outlines}, {"colours", colours}};
+  return data.dump() + "\n";
 }
 
 /// Adds the outlines that planes as built do not have.
@@ -69,19 +70,28 @@ void evaluate(Results& results) {
   results.summary.end_drift_deg = to_degrees(angle_of(T_truth_estimate));
 }
 
+FileSet staged_results(const Results& results, const std::filesystem::path& directory) {
+  const std::vector<Plane> before = with_outlines(results.models.noisy_as_built);
+  const std::vector<Plane> truth = with_outlines(planes_of(results.truth));
+  ModelLabel label;
+  label.run = run_id_of({planes_to_json(before), planes_to_json(results.models.noisy),
+                         planes_to_json(results.models.corrected), planes_to_json(truth),
+                         to_tum(results.trajectory_before), to_tum(results.trajectory_after)});
+  FileSet files(directory, kResultsSet);
+  files.add("summary.json", summary_to_json(results.summary, label.run));
+  files.add("planes_before.json", planes_to_json(before, label));
+  files.add("planes_noisy.json", planes_to_json(results.models.noisy, label));
+  files.add("planes_truth.json", planes_to_json(truth, label));
+  files.add("trajectory_before.tum", to_tum(results.trajectory_before, label.run));
+  files.add("trajectory_after.tum", to_tum(results.trajectory_after, label.run));
+  files.add("trajectory_truth.tum", to_tum(results.trajectory_truth, label.run));
+  files.add("figure.json", figure_data(results, label.run));
+  add_model(results.models.corrected, label, "planes_after", SurfaceConfig{}.stripe_gap_m, files);
+  return files;
+}
+
 void write_results(const Results& results, const std::filesystem::path& directory) {
-  create_directory_for_files(directory);
-  write_file_atomically(directory / "summary.json", summary_to_json(results.summary));
-  write_file_atomically(directory / "planes_before.json",
-                        planes_to_json(with_outlines(results.models.noisy_as_built)));
-  write_file_atomically(directory / "planes_noisy.json", planes_to_json(results.models.noisy));
-  write_file_atomically(directory / "planes_truth.json",
-                        planes_to_json(with_outlines(planes_of(results.truth))));
-  write_file_atomically(directory / "trajectory_before.tum", to_tum(results.trajectory_before));
-  write_file_atomically(directory / "trajectory_after.tum", to_tum(results.trajectory_after));
-  write_file_atomically(directory / "trajectory_truth.tum", to_tum(results.trajectory_truth));
-  write_file_atomically(directory / "figure.json", figure_data(results));
-  save_model(results.models.corrected, directory, "planes_after", SurfaceConfig{}.stripe_gap_m);
+  staged_results(results, directory).commit();
 }
 
 }  // namespace ribbon_mapper::eval

@@ -9,6 +9,7 @@
 #include "eval/metrics/patch.hpp"
 #include "eval/results/summary.hpp"
 #include "modeler/geometry/pose.hpp"
+#include "modeler/storage/file_set.hpp"
 #include "modeler/surface/plane.hpp"
 
 namespace ribbon_mapper::eval {
@@ -34,11 +35,15 @@ struct Results {
 /// Computes the metrics of the four models and the end drift, and stores them in the summary.
 void evaluate(Results& results);
 
-/// Writes the results into `directory`, which is created if needed; each file is written
-/// atomically. The files are summary.json, planes_before.json (noisy, as built),
-/// planes_noisy.json (noisy, final), planes_truth.json, planes_after.{json,ply,bt} with
-/// planes_after_cells.ply (corrected, final), trajectory_{before,after,truth}.tum and figure.json
-/// (for draw_figure()). Throws std::runtime_error with the file, the reason and a remedy.
+/// Writes the results as new files of the set kResultsSet in `directory`, which is created if
+/// needed, and returns the set to be committed. All files state the same run. They are
+/// summary.json, planes_before.json (noisy, as built), planes_noisy.json (noisy, final),
+/// planes_truth.json, planes_after.{json,ply,bt} with planes_after_cells.ply (corrected, final),
+/// trajectory_{before,after,truth}.tum and figure.json (for draw_figure()). Throws
+/// std::runtime_error with the file, the reason and a remedy.
+FileSet staged_results(const Results& results, const std::filesystem::path& directory);
+
+/// Writes the results as staged_results() and commits them.
 void write_results(const Results& results, const std::filesystem::path& directory);
 
 }  // namespace ribbon_mapper::eval

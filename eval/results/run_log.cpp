@@ -8,8 +8,8 @@
 #include <set>
 #include <stdexcept>
 
-#include "modeler/io/atomic_file.hpp"
 #include "modeler/program/version.hpp"
+#include "modeler/storage/atomic_file.hpp"
 
 namespace ribbon_mapper::eval {
 namespace {

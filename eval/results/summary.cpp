@@ -164,8 +164,9 @@ Json figures_of(const Summary& s) {
 
 }  // namespace
 
-std::string summary_to_json(const Summary& s) {
+std::string summary_to_json(const Summary& s, const std::string& run_id) {
   Json json = to_json(s.run);
+  if (!run_id.empty()) json["run"] = run_id;
   json.update(figures_of(s));
   json.update(times_of(s));
   json.update(

@@ -43,7 +43,7 @@ struct Summary {
 };
 
 /// Converts a summary to JSON; docs/experiments.md describes the keys.
-std::string summary_to_json(const Summary& summary);
+std::string summary_to_json(const Summary& summary, const std::string& run_id = "");
 
 /// Converts a summary to a line of runs.jsonl: the same keys without the times, which are not
 /// reproducible. `inputs` is the fingerprint from inputs_of().

@@ -9,10 +9,11 @@
 
 #include "eval/results/world_outlines.hpp"
 #include "eval/ros/tour_watch.hpp"
-#include "modeler/io/atomic_file.hpp"
 #include "modeler/program/figure.hpp"
 #include "modeler/program/installed_files.hpp"
+#include "modeler/program/run_program.hpp"
 #include "modeler/ros/node/strict_parameters.hpp"
+#include "modeler/storage/file_set.hpp"
 #include "sim/world/resource_finder.hpp"
 
 namespace ribbon_mapper::eval {
@@ -110,8 +111,9 @@ class ReportNode {
     summary.run = parameters_.summary.run;
     results.world_outlines = outlines_of(parameters_);
     evaluate(results);
-    write_results(results, parameters_.output);
-    draw_figure(Figure::before_after, parameters_.output);
+    FileSet files = staged_results(results, parameters_.output);
+    draw_figure(Figure::before_after, files.folder(), parameters_.output);
+    files.commit();
     std::printf("\n%s\nresults in %s\n", summary_table(summary).c_str(),
                 parameters_.output.c_str());
     std::fflush(stdout);
@@ -134,10 +136,7 @@ class ReportNode {
 int main(int argc, char** argv) {
   ros::init(argc, argv, "report");
   const ros::NodeHandle keeps_logging_up;
-  try {
+  return ribbon_mapper::run_program("report", [] {  // rosconsole may be down at its end
     return ribbon_mapper::eval::ReportNode(ribbon_mapper::eval::NodeParameters::read()).run();
-  } catch (const std::exception& error) {
-    std::fprintf(stderr, "report: %s\n", error.what());  // rosconsole may have shut down
-    return 1;
-  }
+  });
 }

@@ -12,8 +12,10 @@ PackedPoses::Packed PackedPoses::packed(const Pose& pose) {
   return {q.x(), q.y(), q.z(), q.w(), t.x(), t.y(), t.z()};
 }
 
+void PackedPoses::reserve_one_more() { ribbon_mapper::reserve_one_more(poses_); }
+
 void PackedPoses::push_back(const Pose& pose) {
-  reserve_one_more(poses_);
+  reserve_one_more();
   poses_.push_back(packed(pose));
 }
 

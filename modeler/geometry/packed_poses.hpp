@@ -14,6 +14,8 @@ namespace ribbon_mapper {
 /// A vector of poses stored as quaternion and position: 56 bytes per pose instead of 128.
 class PackedPoses {
  public:
+  /// Makes room for one more pose: the next push_back() cannot fail.
+  void reserve_one_more();
   /// Appends a pose.
   void push_back(const Pose& pose);
   /// Replaces the pose at `index`.

@@ -4,6 +4,8 @@
 
 #include <cmath>
 
+#include "modeler/geometry/pose_defect.hpp"
+
 namespace ribbon_mapper {
 
 Pose interpolate(const Pose& from, const Pose& to, double fraction) {
@@ -23,9 +25,6 @@ double yaw_of(const Pose& pose) { return std::atan2(pose(1, 0), pose(0, 0)); }
 
 double angle_of(const Pose& pose) { return Eigen::AngleAxisd(pose.linear()).angle(); }
 
-bool is_valid(const Pose& pose) {
-  return pose.matrix().allFinite() && pose.linear().determinant() > 0.0 &&
-         (pose.linear().transpose() * pose.linear() - Eigen::Matrix3d::Identity()).norm() < 1e-6;
-}
+bool is_valid(const Pose& pose) { return !find_defect(pose); }
 
 }  // namespace ribbon_mapper

@@ -30,7 +30,7 @@ double yaw_of(const Pose& pose);
 /// Returns the rotation angle of `pose` [rad], in 0..pi.
 double angle_of(const Pose& pose);
 
-/// Returns true if every element is finite and the rotation is orthonormal to 1e-6 and no mirror.
+/// Returns true if a pose is finite, rigid to 1e-6 and no mirror, and within 1e9 m of the origin.
 bool is_valid(const Pose& pose);
 
 }  // namespace ribbon_mapper

@@ -2,19 +2,26 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <vector>
 
 namespace ribbon_mapper {
 
-/// Reserves memory for one more element. The capacity grows by an eighth, since doubling would
+/// Reserves memory for `count` more elements. The capacity grows by an eighth, since doubling would
 /// leave up to half of it unused.
 template <typename Element>
-void reserve_one_more(std::vector<Element>& elements) {
-  if (elements.size() == elements.capacity()) {
-    elements.reserve(elements.size() + elements.size() / 8 + 16);
+void reserve_more(std::vector<Element>& elements, std::size_t count) {
+  if (elements.size() + count > elements.capacity()) {
+    elements.reserve(elements.size() + std::max(count, elements.size() / 8 + 16));
   }
+}
+
+/// Reserves memory for one more element, as reserve_more().
+template <typename Element>
+void reserve_one_more(std::vector<Element>& elements) {
+  reserve_more(elements, 1);
 }
 
 /// Removes all elements but those at these ascending indices.

@@ -3,36 +3,33 @@
 #include "modeler/io/calibrated_preset.hpp"
 
 #include <array>
-#include <cstdio>
+#include <charconv>
 
 #include "modeler/io/config_file.hpp"
+#include "modeler/io/model_label.hpp"
 
 namespace ribbon_mapper {
 namespace {
 
-std::string variances(const char* name, const RibbonDeviation& deviation) {
-  std::array<char, 160> text;
-  std::snprintf(
-      text.data(), text.size(),
-      "# %s: distance %.3g m2, normals %.3g rad2, their scalar products %.3g; %zu ribbons\n", name,
-      deviation.distance_variance_m2, deviation.angle_variance_rad2,
-      deviation.scalar_product_variance, deviation.ribbons);
-  return text.data();
-}
-
-/// Replaces line ends, which would end a YAML comment.
-std::string in_one_line(std::string text) {
-  for (char& character : text) {
-    if (character == '\n' || character == '\r') character = ' ';
-  }
-  return text;
-}
-
-/// Rounds to three significant digits.
-double rounded(double value) {
+/// Returns a number with three significant digits, whatever the locale.
+std::string text_of(double value) {
   std::array<char, 32> text;
-  std::snprintf(text.data(), text.size(), "%.3g", value);
-  return std::stod(text.data());
+  const auto end =
+      std::to_chars(text.begin(), text.end(), value, std::chars_format::general, 3).ptr;
+  return {text.begin(), end};
+}
+
+double rounded(double value) {
+  const std::string text = text_of(value);
+  std::from_chars(text.data(), text.data() + text.size(), value);
+  return value;
+}
+
+std::string variances(const std::string& name, const RibbonDeviation& deviation) {
+  return "# " + name + ": distance " + text_of(deviation.distance_variance_m2) + " m2, normals " +
+         text_of(deviation.angle_variance_rad2) + " rad2, their scalar products " +
+         text_of(deviation.scalar_product_variance) + "; " + std::to_string(deviation.ribbons) +
+         " ribbons\n";
 }
 
 }  // namespace

@@ -8,11 +8,15 @@
 #include <charconv>
 #include <ios>
 #include <map>
+#include <set>
 #include <sstream>
 #include <stdexcept>
+#include <string>
+#include <system_error>
 #include <vector>
 
 #include "modeler/config_keys.hpp"
+#include "modeler/io/model_label.hpp"
 #include "modeler/io/renamed_keys.hpp"
 
 namespace ribbon_mapper {
@@ -20,40 +24,76 @@ namespace {
 
 using Values = std::map<std::string, YAML::Node>;  // by "section.key"
 
-void flatten(const YAML::Node& node, const std::string& prefix, Values& values) {
-  for (const auto& entry : node) {
-    const std::string key = prefix + entry.first.as<std::string>();
-    if (entry.second.IsMap()) {
-      flatten(entry.second, key + ".", values);
+/// The names of all keys and of the sections that hold them.
+struct KnownNames {
+  std::set<std::string> keys, sections;
+
+  template <typename Value, typename... Range>
+  void operator()(const std::string& key, const Value&, Range...) {
+    keys.insert(key);
+    for (auto dot = key.find('.'); dot != std::string::npos; dot = key.find('.', dot + 1)) {
+      sections.insert(key.substr(0, dot));
+    }
+  }
+};
+
+[[noreturn]] void refuse(std::string key, YAML::Node value, const KnownNames& known) {
+  constexpr int kDeepest = 3;  // an alias may lead to its own section
+  for (int depth = 0; depth < kDeepest && value.IsMap() && value.size() > 0; ++depth) {
+    const auto first = value.begin();
+    key += "." + first->first.Scalar();
+    value.reset(first->second);
+  }
+  if (const auto name = present_name_of(key)) {
+    throw std::invalid_argument(key + " was renamed: write " + *name);
+  }
+  std::string list;
+  for (const std::string& name : known.keys) list += "\n  " + name;
+  throw std::invalid_argument("unknown key " + in_one_line(key, 80) + "; known are" + list);
+}
+
+/// Collects the values of known keys. Refuses the first other one, so that the work is limited by
+/// the number of keys, wherever aliases lead.
+void collect(const YAML::Node& section, const std::string& prefix, const KnownNames& known,
+             Values& values) {
+  for (const auto& entry : section) {
+    const std::string key = prefix + entry.first.Scalar();
+    if (entry.second.IsMap() && known.sections.count(key) != 0) {
+      collect(entry.second, key + ".", known, values);
+    } else if (known.keys.count(key) == 0) {
+      refuse(key, entry.second, known);
     } else if (!values.emplace(key, entry.second).second) {
       throw std::invalid_argument(key + " is given twice");
     }
   }
 }
 
-/// Assigns the values of known keys and removes them from `values`.
+/// Parses a number, whatever the locale. Returns false if the text is none.
+template <typename Number>
+bool parse(const std::string& text, Number& number) {
+  const bool has_mark = text.rfind("+", 0) == 0 || text == ".nan" || text == ".inf";
+  const char* const end = text.data() + text.size();
+  const auto [at, error] = std::from_chars(text.data() + (has_mark ? 1 : 0), end, number);
+  return error == std::errc() && at == end;
+}
+
+/// Assigns the values of keys.
 struct Assignment {
-  Values& values;
-  std::string known;
+  const Values& values;
 
   template <typename Number>
-  void operator()(const char* key, Number& value, double, double) {
-    assign(key, value, "a number");
-  }
-  void operator()(const char* key, bool& value) { assign(key, value, "true or false"); }
-
- private:
-  template <typename Value>
-  void assign(const char* key, Value& value, const char* kind) {
-    known += std::string("\n  ") + key;
+  void operator()(const char* key, Number& number, double, double) const {
     const auto found = values.find(key);
     if (found == values.end()) return;
-    try {
-      value = found->second.as<Value>();
-    } catch (const YAML::Exception&) {
-      throw std::invalid_argument(std::string(key) + " must be " + kind);
+    if (found->second.IsScalar() && parse(found->second.Scalar(), number)) return;
+    throw std::invalid_argument(std::string(key) + " must be a number");
+  }
+  void operator()(const char* key, bool& value) const {
+    const auto found = values.find(key);
+    if (found == values.end()) return;
+    if (!YAML::convert<bool>::decode(found->second, value)) {
+      throw std::invalid_argument(std::string(key) + " must be true or false");
     }
-    values.erase(found);
   }
 };
 
@@ -62,17 +102,13 @@ ModelerConfig read(const std::string& path) {
   if (!root.IsMap() && !root.IsNull()) {
     throw std::invalid_argument("sections with keys are expected, as in config/pr2.yaml");
   }
-  Values values;
-  flatten(root, "", values);
   ModelerConfig config;
-  Assignment assignment{values, {}};
+  KnownNames known;
+  visit_keys(config, known);
+  Values values;
+  collect(root, "", known, values);
+  const Assignment assignment{values};
   visit_keys(config, assignment);
-  for (const auto& [key, value] : values) {
-    if (const auto name = present_name_of(key)) {
-      throw std::invalid_argument(key + " was renamed: write " + *name);
-    }
-    throw std::invalid_argument("unknown key " + key + "; known are" + assignment.known);
-  }
   config.validate();
   return config;
 }
@@ -124,7 +160,7 @@ ModelerConfig load_config(const std::string& path) {
   } catch (const std::ios_base::failure& error) {  // for example, the path is a folder
     throw std::invalid_argument(path + ": cannot be read: " + error.what());
   } catch (const YAML::Exception& error) {
-    throw std::invalid_argument(path + ": " + error.what());
+    throw std::invalid_argument(path + ": " + in_one_line(error.what()));
   } catch (const std::invalid_argument& error) {
     throw std::invalid_argument(path + ": " + error.what());
   }

@@ -4,12 +4,31 @@
 
 #include <octomap/OcTree.h>
 
+#include <algorithm>
+#include <locale>
 #include <sstream>
+
+#include "modeler/io/planes_json.hpp"
 
 namespace ribbon_mapper {
 namespace {
 
 constexpr double kVoxelSize_m = 0.05;
+constexpr double kMaxVoxels = 32000.0;  // from the origin along an axis, with a margin for cells
+
+double voxel_size_m(const std::vector<Plane>& planes, const Eigen::Vector3d& origin) {
+  double reach_m = 0.0;
+  for (const Plane& plane : planes) {
+    const Eigen::AlignedBox3d box = bounding_box(plane);
+    if (box.isEmpty()) continue;
+    for (const Eigen::Vector3d& corner : {box.min(), box.max()}) {
+      reach_m = std::max(reach_m, (corner - origin).cwiseAbs().maxCoeff());
+    }
+  }
+  double size_m = kVoxelSize_m;
+  while (reach_m > kMaxVoxels * size_m) size_m *= 2.0;
+  return size_m;
+}
 
 void occupy(octomap::OcTree& tree, const Eigen::Vector3d& point) {
   constexpr bool kInnerNodesLater = true;
@@ -20,8 +39,9 @@ void occupy(octomap::OcTree& tree, const Eigen::Vector3d& point) {
 
 /// Occupies the voxels of a cell by four points half a cell apart, which leaves no holes in oblique
 /// planes.
-void occupy(octomap::OcTree& tree, const Plane& plane, const PlaneCell& cell) {
-  const Eigen::Vector3d centre = cell_centre(plane, cell);
+void occupy(octomap::OcTree& tree, const Plane& plane, const PlaneCell& cell,
+            const Eigen::Vector3d& origin) {
+  const Eigen::Vector3d centre = cell_centre(plane, cell) - origin;
   const double quarter_m = 0.25 * plane.cell_size_m;
   for (const double du : {-quarter_m, quarter_m}) {
     for (const double dv : {-quarter_m, quarter_m}) {
@@ -31,9 +51,11 @@ void occupy(octomap::OcTree& tree, const Plane& plane, const PlaneCell& cell) {
 }
 
 /// Returns the bytes that OcTree::writeBinary() writes, without its messages on stderr.
-std::string binary_file(const octomap::OcTree& tree) {
+std::string binary_file(const octomap::OcTree& tree, const ModelLabel& label) {
   std::ostringstream stream;
-  stream << "# Octomap OcTree binary file\nid OcTree\nsize " << tree.size() << "\nres "
+  stream.imbue(std::locale::classic());
+  stream << "# Octomap OcTree binary file\n"
+         << label_lines(label, "# ") << "id OcTree\nsize " << tree.size() << "\nres "
          << tree.getResolution() << "\ndata\n";
   tree.writeBinaryData(stream);
   return stream.str();
@@ -41,15 +63,15 @@ std::string binary_file(const octomap::OcTree& tree) {
 
 }  // namespace
 
-std::string planes_to_octomap(const std::vector<Plane>& planes) {
-  octomap::OcTree tree(kVoxelSize_m);
+std::string planes_to_octomap(const std::vector<Plane>& planes, const ModelLabel& label) {
+  octomap::OcTree tree(voxel_size_m(planes, label.origin));
   for (const Plane& plane : planes) {
-    for (const PlaneCell& cell : plane.cells) occupy(tree, plane, cell);
+    for (const PlaneCell& cell : plane.cells) occupy(tree, plane, cell, label.origin);
   }
   tree.updateInnerOccupancy();
   tree.toMaxLikelihood();
   tree.prune();
-  return binary_file(tree);
+  return binary_file(tree, label);
 }
 
 }  // namespace ribbon_mapper

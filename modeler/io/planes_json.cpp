@@ -47,8 +47,13 @@ Eigen::AlignedBox3d bounding_box(const Plane& plane) {
   return box;
 }
 
-std::string planes_to_json(const std::vector<Plane>& planes) {
-  std::string text = "{\n\"frame\": \"map\",\n\"unit\": \"m\",\n\"planes\": [";
+std::string planes_to_json(const std::vector<Plane>& planes, const ModelLabel& label) {
+  constexpr auto kReplace = Json::error_handler_t::replace;  // of bytes that are no UTF-8
+  std::string text =
+      "{\n\"frame\": " + Json(label.frame).dump(-1, ' ', false, kReplace) + ",\n\"unit\": \"m\",\n";
+  if (!label.run.empty()) text += "\"run\": \"" + label.run + "\",\n";
+  if (!label.origin.isZero(0.0)) text += "\"origin\": " + to_json(label.origin).dump() + ",\n";
+  text += "\"planes\": [";
   const char* separator = "\n";
   for (const Plane& plane : planes) {
     text += separator + to_json(plane).dump();

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "modeler/io/model_label.hpp"
 #include "modeler/surface/plane.hpp"
 
 namespace ribbon_mapper {
@@ -15,9 +16,12 @@ namespace ribbon_mapper {
 Eigen::AlignedBox3d bounding_box(const Plane& plane);
 
 /// Converts planes to JSON, one plane per line:
-/// {"planes": [{"id", "normal", "d", "area", "centroid", "bbox": [min, max], "outline"}]}.
-/// Metres, map frame; n.p + d = 0 with n towards the observed side. The bytes are reproducible, and
-/// numbers are written with all digits of a double.
-std::string planes_to_json(const std::vector<Plane>& planes);
+/// {"frame", "unit", "run", "origin", "planes": [{"id", "normal", "d", "area", "centroid",
+/// "bbox": [min, max], "outline"}]}.
+///
+/// Metres; n.p + d = 0 with n towards the observed side. Numbers have all digits of a double, so
+/// that ModelLabel::origin is not subtracted: it is stated for the other files of the model. The
+/// bytes are reproducible.
+std::string planes_to_json(const std::vector<Plane>& planes, const ModelLabel& label = {});
 
 }  // namespace ribbon_mapper

@@ -37,10 +37,10 @@ void append_vertex(std::string& bytes, const Plane& plane, const Eigen::Vector3d
   append(bytes, plane_colour(plane.id));
 }
 
-std::string header(std::size_t vertices, const std::string& more) {
-  return "ply\nformat binary_little_endian 1.0\ncomment ribbon_mapper, map frame, metres\n"
-         "element vertex " +
-         std::to_string(vertices) +
+std::string header(const ModelLabel& label, std::size_t vertices, const std::string& more) {
+  return "ply\nformat binary_little_endian 1.0\ncomment ribbon_mapper, " +
+         in_one_line(label.frame) + " frame, metres\n" + label_lines(label, "comment ") +
+         "element vertex " + std::to_string(vertices) +
          "\nproperty float x\nproperty float y\nproperty float z\n"
          "property float nx\nproperty float ny\nproperty float nz\n"
          "property uchar red\nproperty uchar green\nproperty uchar blue\n" +
@@ -57,21 +57,23 @@ void append_faces(std::string& bytes, std::int32_t first_corner, std::int64_t pl
   }
 }
 
-void append_corners(std::string& bytes, const Plane& plane, const CellRectangle& r) {
-  append_vertex(bytes, plane, grid_corner(plane, r.u_begin, r.v_begin));
-  append_vertex(bytes, plane, grid_corner(plane, r.u_end, r.v_begin));
-  append_vertex(bytes, plane, grid_corner(plane, r.u_end, r.v_end));
-  append_vertex(bytes, plane, grid_corner(plane, r.u_begin, r.v_end));
+void append_corners(std::string& bytes, const Plane& plane, const CellRectangle& r,
+                    const Eigen::Vector3d& origin) {
+  append_vertex(bytes, plane, grid_corner(plane, r.u_begin, r.v_begin) - origin);
+  append_vertex(bytes, plane, grid_corner(plane, r.u_end, r.v_begin) - origin);
+  append_vertex(bytes, plane, grid_corner(plane, r.u_end, r.v_end) - origin);
+  append_vertex(bytes, plane, grid_corner(plane, r.u_begin, r.v_end) - origin);
 }
 
 }  // namespace
 
-std::string planes_to_ply_mesh(const std::vector<Plane>& planes, double stripe_gap_m) {
+std::string planes_to_ply_mesh(const std::vector<Plane>& planes, double stripe_gap_m,
+                               const ModelLabel& label) {
   std::string vertices, faces;
   std::int32_t corners = 0;
   for (const Plane& plane : planes) {
     for (const CellRectangle& rectangle : surface_rectangles(plane, stripe_gap_m)) {
-      append_corners(vertices, plane, rectangle);
+      append_corners(vertices, plane, rectangle, label.origin);
       append_faces(faces, corners, plane.id);
       corners += 4;
     }
@@ -79,20 +81,20 @@ std::string planes_to_ply_mesh(const std::vector<Plane>& planes, double stripe_g
   const std::string face_header = "element face " + std::to_string(corners / 2) +
                                   "\nproperty list uchar int vertex_indices\n"
                                   "property int plane_id\n";
-  return header(static_cast<std::size_t>(corners), face_header) + vertices + faces;
+  return header(label, static_cast<std::size_t>(corners), face_header) + vertices + faces;
 }
 
-std::string planes_to_ply_cloud(const std::vector<Plane>& planes) {
+std::string planes_to_ply_cloud(const std::vector<Plane>& planes, const ModelLabel& label) {
   std::string points;
   std::size_t count = 0;
   for (const Plane& plane : planes) {
     for (const PlaneCell& cell : plane.cells) {
-      append_vertex(points, plane, cell_centre(plane, cell));
+      append_vertex(points, plane, cell_centre(plane, cell) - label.origin);
       append(points, static_cast<std::int32_t>(plane.id));
     }
     count += plane.cells.size();
   }
-  return header(count, "property int plane_id\n") + points;
+  return header(label, count, "property int plane_id\n") + points;
 }
 
 }  // namespace ribbon_mapper

@@ -5,7 +5,6 @@
 #include <regex>
 #include <stdexcept>
 
-#include "modeler/io/atomic_file.hpp"
 #include "modeler/io/octomap.hpp"
 #include "modeler/io/planes_json.hpp"
 #include "modeler/io/ply.hpp"
@@ -23,19 +22,25 @@ void check_save_name(const std::string& name) {
       name + "\"");
 }
 
+void add_model(const std::vector<Plane>& planes, ModelLabel label, const std::string& name,
+               double stripe_gap_m, FileSet& files) {
+  label.origin = origin_of(planes);
+  files.add(name + ".json", planes_to_json(planes, label));
+  files.add(name + ".ply", planes_to_ply_mesh(planes, stripe_gap_m, label));
+  files.add(name + "_cells.ply", planes_to_ply_cloud(planes, label));
+  files.add(name + ".bt", planes_to_octomap(planes, label));
+}
+
 std::vector<fs::path> save_model(const std::vector<Plane>& planes, const fs::path& directory,
-                                 const std::string& name, double stripe_gap_m) {
+                                 const std::string& name, double stripe_gap_m,
+                                 const std::string& frame) {
   check_save_name(name);
-  create_directory_for_files(directory);
-  std::vector<fs::path> paths{directory / (name + ".json"), directory / (name + ".ply"),
-                              directory / (name + "_cells.ply"), directory / (name + ".bt")};
-  std::vector<StagedFile> files;
-  files.emplace_back(paths[0], planes_to_json(planes));
-  files.emplace_back(paths[1], planes_to_ply_mesh(planes, stripe_gap_m));
-  files.emplace_back(paths[2], planes_to_ply_cloud(planes));
-  files.emplace_back(paths[3], planes_to_octomap(planes));
-  for (StagedFile& file : files) file.commit();
-  return paths;
+  ModelLabel label;
+  label.frame = frame;
+  label.run = run_id_of({planes_to_json(planes, label)});
+  FileSet files(directory, name);
+  add_model(planes, label, name, stripe_gap_m, files);
+  return files.commit();
 }
 
 }  // namespace ribbon_mapper

@@ -6,6 +6,8 @@
 #include <string>
 #include <vector>
 
+#include "modeler/io/model_label.hpp"
+#include "modeler/storage/file_set.hpp"
 #include "modeler/surface/plane.hpp"
 
 namespace ribbon_mapper {
@@ -14,13 +16,18 @@ namespace ribbon_mapper {
 /// '_', '.' or '-', without "..". Throws std::invalid_argument otherwise.
 void check_save_name(const std::string& name);
 
-/// Writes planes into `directory`, which is created if needed: <name>.json, the mesh <name>.ply
-/// with stripes of up to `stripe_gap_m` closed, the cells <name>_cells.ply and the OctoMap
-/// <name>.bt. Older files are replaced only after all four are on the disk. Returns the four paths.
-/// Throws std::invalid_argument for a bad name, and std::runtime_error with the file, the reason
-/// and a remedy.
+/// Adds the four files of a model to a set: <name>.json, the mesh <name>.ply with stripes of up to
+/// `stripe_gap_m` closed, the cells <name>_cells.ply and the OctoMap <name>.bt. The label's origin
+/// is replaced by origin_of(). Throws as FileSet::add().
+void add_model(const std::vector<Plane>& planes, ModelLabel label, const std::string& name,
+               double stripe_gap_m, FileSet& files);
+
+/// Writes the four files of a model, as add_model(), into `directory`, which is created if needed.
+/// They are a set of this name, see FileSet. Returns their paths. Throws std::invalid_argument for
+/// a bad name, and std::runtime_error with the file, the reason and a remedy.
 std::vector<std::filesystem::path> save_model(const std::vector<Plane>& planes,
                                               const std::filesystem::path& directory,
-                                              const std::string& name, double stripe_gap_m);
+                                              const std::string& name, double stripe_gap_m,
+                                              const std::string& frame = "map");
 
 }  // namespace ribbon_mapper

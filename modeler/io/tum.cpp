@@ -4,8 +4,9 @@
 
 #include <array>
 #include <cerrno>
+#include <charconv>
 #include <cmath>
-#include <cstdio>
+#include <cstdlib>
 #include <cstring>
 #include <fstream>
 #include <limits>
@@ -13,23 +14,33 @@
 #include <sstream>
 #include <stdexcept>
 
+#include "modeler/geometry/pose_defect.hpp"
+
 namespace ribbon_mapper {
 namespace {
 
 constexpr double kQuaternionTolerance = 0.01;  // some files have only four decimals
 
+/// Appends a number with a fixed number of decimals, whatever the locale.
+void append(std::string& line, double value, int decimals) {
+  constexpr std::size_t kDigits = std::numeric_limits<double>::max_exponent10 + 32;
+  std::array<char, kDigits> digits;
+  const auto end =
+      std::to_chars(digits.begin(), digits.end(), value, std::chars_format::fixed, decimals).ptr;
+  line.append(digits.begin(), end);
+}
+
 std::string to_line(const StampedPose& pose) {
   const auto since_epoch = pose.stamp.count();
-  const auto magnitude = std::abs(since_epoch);
-  const Eigen::Vector3d t = pose.T_map_base.translation();
+  const std::string nanoseconds = std::to_string(std::abs(since_epoch % 1'000'000'000));
+  std::string line = since_epoch < 0 ? "-" : "";
+  line += std::to_string(std::abs(since_epoch / 1'000'000'000)) + "." +
+          std::string(9 - nanoseconds.size(), '0') + nanoseconds;
   Eigen::Quaterniond q(pose.T_map_base.linear());
   if (q.w() < 0.0) q.coeffs() = -q.coeffs();
-  std::array<char, 256> line;
-  std::snprintf(line.data(), line.size(), "%s%lld.%09lld %.9f %.9f %.9f %.12f %.12f %.12f %.12f\n",
-                since_epoch < 0 ? "-" : "", static_cast<long long>(magnitude / 1'000'000'000),
-                static_cast<long long>(magnitude % 1'000'000'000), t.x(), t.y(), t.z(), q.x(),
-                q.y(), q.z(), q.w());
-  return line.data();
+  for (const double value : pose.T_map_base.translation()) append(line += " ", value, 9);
+  for (const double value : q.coeffs()) append(line += " ", value, 12);
+  return line + "\n";
 }
 
 /// Parses a line into `pose`. Returns an error message, empty on success.
@@ -49,6 +60,7 @@ std::string parse_line(const std::string& line, StampedPose& pose) {
   if (!(std::abs(stamp_s) < kLargest_s)) return "the stamp is too large";
   pose.stamp = Time(static_cast<Time::rep>(std::llround(stamp_s * 1e9L)));
   pose.T_map_base = Eigen::Translation3d(v[0], v[1], v[2]) * q.normalized();
+  if (const auto defect = find_defect(pose.T_map_base)) return "the pose " + *defect;
   return "";
 }
 
@@ -59,8 +71,9 @@ bool is_comment(const std::string& line) {
 
 }  // namespace
 
-std::string to_tum(const std::vector<StampedPose>& trajectory) {
-  std::string text = "# stamp tx ty tz qx qy qz qw\n";
+std::string to_tum(const std::vector<StampedPose>& trajectory, const std::string& run) {
+  std::string text = run.empty() ? "" : "# run " + run + "\n";
+  text += "# stamp tx ty tz qx qy qz qw\n";
   for (const StampedPose& pose : trajectory) text += to_line(pose);
   return text;
 }

@@ -12,12 +12,13 @@ namespace ribbon_mapper {
 
 /// Converts poses of base_footprint in map to the text format of the TUM RGB-D benchmark. Each line
 /// is "stamp tx ty tz qx qy qz qw" (seconds, metres, unit quaternion); stamps are exact to the
-/// nanosecond.
-std::string to_tum(const std::vector<StampedPose>& trajectory);
+/// nanosecond. A comment states the id of the `run`, if it is not empty.
+std::string to_tum(const std::vector<StampedPose>& trajectory, const std::string& run = "");
 
 /// Parses text in TUM format; empty lines and lines that start with '#' are skipped. Throws
 /// std::runtime_error with `name` and the line if a number is missing, superfluous or not finite,
-/// if the quaternion deviates from unit length by more than 1 %, or if stamps do not increase.
+/// if the quaternion deviates from unit length by more than 1 %, if a coordinate exceeds
+/// kMaxCoordinate_m, or if stamps do not increase.
 std::vector<StampedPose> from_tum(const std::string& text, const std::string& name);
 
 /// Reads a file in TUM format. Throws std::runtime_error if it cannot be read, and as from_tum().

@@ -10,16 +10,23 @@
 namespace ribbon_mapper {
 
 std::uint32_t Observations::add_line(const TrackedPose& pose, const LineObservations& line) {
+  std::size_t sample_count = 0;
+  for (const Ribbon& ribbon : line.ribbons) sample_count += ribbon.samples.size;
+  // All memory is reserved first, so that nothing is half changed if it runs out.
+  trajectory_.reserve_one_more();
+  reserve_one_more(unassigned_);
+  reserve_more(ribbons_, line.ribbons.size());
+  points_.reserve(line.unassigned.size);
+  samples_.reserve(sample_count);
+
   const auto first = static_cast<std::uint32_t>(ribbons_.size());
   const auto index = static_cast<std::uint32_t>(trajectory_.size());
   trajectory_.add(pose);
-  reserve_one_more(unassigned_);
   unassigned_.push_back(line.unassigned);
   UnassignedPoints& points = unassigned_.back();
   points.pose = index;
   points.first = points_.add(points.first, points.size);
   for (const Ribbon& source : line.ribbons) {
-    reserve_one_more(ribbons_);
     ribbons_.push_back(source);
     Ribbon& ribbon = ribbons_.back();
     ribbon.pose = index;
@@ -30,27 +37,42 @@ std::uint32_t Observations::add_line(const TrackedPose& pose, const LineObservat
 
 std::vector<std::uint32_t> Observations::thin(std::size_t count) {
   std::vector<std::uint32_t> kept = thinned(posed(), count);
-  keep_indices(kept, ribbons_);
   std::vector<std::uint32_t> kept_poses;
+  for (const std::uint32_t index : kept) {
+    const std::uint32_t pose = ribbons_[index].pose;
+    if (kept_poses.empty() || kept_poses.back() != pose) kept_poses.push_back(pose);
+  }
+  compact_storage(kept, kept_poses);  // the last step that needs memory
+  keep_indices(kept, ribbons_);
+  std::uint32_t pose = 0;
   for (Ribbon& ribbon : ribbons_) {
-    if (kept_poses.empty() || kept_poses.back() != ribbon.pose) kept_poses.push_back(ribbon.pose);
-    ribbon.pose = static_cast<std::uint32_t>(kept_poses.size() - 1);
+    if (ribbon.pose != kept_poses[pose]) ++pose;
+    ribbon.pose = pose;
   }
   trajectory_.keep(kept_poses);
   keep_indices(kept_poses, unassigned_);
   for (std::uint32_t i = 0; i < unassigned_.size(); ++i) unassigned_[i].pose = i;
-  compact_storage();
   return kept;
 }
 
-/// Releases the memory of samples and points that are no longer in use.
-void Observations::compact_storage() {
+/// Keeps only the samples of these ribbons and the points of these lines.
+void Observations::compact_storage(const std::vector<std::uint32_t>& ribbons,
+                                   const std::vector<std::uint32_t>& lines) {
   PackedStore<PackedSample> samples;
   PackedStore<PackedPoint> points;
-  for (Ribbon& ribbon : ribbons_) {
-    ribbon.samples.first = samples.add(ribbon.samples.first, ribbon.samples.size);
+  std::vector<const PackedSample*> first_samples;
+  std::vector<const PackedPoint*> first_points;
+  first_samples.reserve(ribbons.size()), first_points.reserve(lines.size());
+  for (const std::uint32_t i : ribbons) {
+    const RibbonSamples& source = ribbons_[i].samples;
+    first_samples.push_back(samples.add(source.first, source.size));
   }
-  for (UnassignedPoints& line : unassigned_) line.first = points.add(line.first, line.size);
+  for (const std::uint32_t i : lines) {
+    first_points.push_back(points.add(unassigned_[i].first, unassigned_[i].size));
+  }
+  for (std::size_t i = 0; i < ribbons.size(); ++i)
+    ribbons_[ribbons[i]].samples.first = first_samples[i];
+  for (std::size_t i = 0; i < lines.size(); ++i) unassigned_[lines[i]].first = first_points[i];
   samples_ = std::move(samples);
   points_ = std::move(points);
 }

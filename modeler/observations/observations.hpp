@@ -4,6 +4,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <utility>
 #include <vector>
 
 #include "modeler/observations/posed_observations.hpp"
@@ -24,19 +25,20 @@ class Observations {
   explicit Observations(const TrajectoryConfig& config) : trajectory_(config) {}
 
   /// Adds a line with its acquisition pose, whose stamp must be later than that of the last line.
-  /// Copies what `line` refers to, and returns the index of its first ribbon.
+  /// Copies what `line` refers to, and returns the index of its first ribbon. If memory runs out,
+  /// the observations are unchanged.
   std::uint32_t add_line(const TrackedPose& pose, const LineObservations& line);
 
   /// Corrects the trajectory. Throws std::invalid_argument as Trajectory::correct() does; the
   /// observations are then unchanged.
   void correct(const std::vector<StampedPose>& corrected) { trajectory_.correct(corrected); }
 
-  /// Replaces all poses of a corrected trajectory; see Trajectory::refine().
-  void refine(const std::vector<StampedPose>& poses) { trajectory_.refine(poses); }
+  /// Replaces the trajectory by one of the same lines.
+  void move_to(Trajectory trajectory) { trajectory_ = std::move(trajectory); }
 
   /// Removes ribbons where the same surface was seen most often, until `count` of them are left,
   /// and lines that no remaining ribbon came from. Returns the ascending former indices of the
-  /// remaining ribbons; see thinned().
+  /// remaining ribbons; see thinned(). If memory runs out, the observations are unchanged.
   std::vector<std::uint32_t> thin(std::size_t count);
 
   /// Returns all ribbons in the order of their lines and beams. Ribbon::pose indexes trajectory().
@@ -50,12 +52,17 @@ class Observations {
     return trajectory_.T_map_base(0).inverse(Eigen::Isometry) * trajectory_.T_map_base(pose);
   }
   /// Returns all observations at the poses of now. Unpacks every pose; valid until they change.
-  PosedObservations posed() const { return {ribbons_, unassigned_, trajectory_.poses()}; }
+  PosedObservations posed() const { return posed_at(trajectory_); }
+  /// Returns all observations at other poses of the same lines, as posed().
+  PosedObservations posed_at(const Trajectory& trajectory) const {
+    return {ribbons_, unassigned_, trajectory.poses()};
+  }
   /// Returns the memory in use.
   std::size_t memory_bytes() const;
 
  private:
-  void compact_storage();
+  void compact_storage(const std::vector<std::uint32_t>& ribbons,
+                       const std::vector<std::uint32_t>& lines);
 
   std::vector<Ribbon> ribbons_;
   std::vector<UnassignedPoints> unassigned_;  // by pose

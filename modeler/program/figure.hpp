@@ -14,7 +14,9 @@ enum class Figure {
 };
 
 /// Draws <name>.svg and <name>.png from the files in `directory`, with matplotlib in a separate
-/// process. Returns false after a warning on stderr if that fails.
-bool draw_figure(Figure figure, const std::filesystem::path& directory);
+/// process. Returns false after a warning on stderr if that fails. The warning has a command that
+/// draws them from the files in `later`, where they will be moved to; empty: `directory`.
+bool draw_figure(Figure figure, const std::filesystem::path& directory,
+                 const std::filesystem::path& later = {});
 
 }  // namespace ribbon_mapper

@@ -14,10 +14,15 @@ namespace ribbon_mapper {
 template <typename Element>
 class PackedStore {
  public:
+  /// Makes room for `count` elements: add() of that many in total then cannot fail.
+  void reserve(std::size_t count) {
+    if (count > room_) add_block(std::max(count, kBlockSize));
+  }
+
   /// Stores a copy of [first, first + count) and returns its address. It is valid as long as the
   /// store, also after the store was moved.
   const Element* add(const Element* first, std::size_t count) {
-    if (count > room_) add_block(std::max(count, kBlockSize));
+    reserve(count);
     Element* const stored = next_;
     std::copy(first, first + count, stored);
     next_ += count, room_ -= count;

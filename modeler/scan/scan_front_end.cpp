@@ -7,6 +7,22 @@
 #include "modeler/scan/scan_line.hpp"
 
 namespace ribbon_mapper {
+namespace {
+
+/// Largest distance of the robot from the origin along an axis [m]. At five times as much, sums of
+/// squares change a plane's area by 2 %; their error grows with the square of the distance.
+constexpr double kMaxDistance_m = 100.0;
+/// Origins are multiples of this power of two [m], so that subtracting them rounds nothing.
+constexpr double kOriginStep_m = 64.0;
+
+/// Returns the poses with those in odom relative to `origin`.
+LinePoses relative_to(const Eigen::Vector3d& origin, LinePoses poses) {
+  poses.T_odom_base_first.translation() -= origin;
+  poses.T_odom_base_last.translation() -= origin;
+  return poses;
+}
+
+}  // namespace
 
 const char* to_string(LineResult result) {
   switch (result) {
@@ -27,18 +43,30 @@ const char* to_string(LineResult result) {
 ScanFrontEnd::ScanFrontEnd(const ScanConfig& config)
     : config_(config), buffer_(config.base_line_sigmas * config.range_sigma_m), averager_(config) {}
 
-LineResult ScanFrontEnd::add(const LaserBeams& beams, const LinePoses& poses) {
-  if (find_defect(beams, poses)) return LineResult::malformed;
+LineResult ScanFrontEnd::add(const LaserBeams& beams, const LinePoses& poses_in_odom) {
+  if (find_defect(beams, poses_in_odom)) return LineResult::malformed;
   ScanLine& line = buffer_.incoming();
+  line.odom_origin = odom_origin_for(poses_in_odom);
+  const LinePoses poses = relative_to(line.odom_origin, poses_in_odom);
   place_beams(beams, poses, config_, line);
   if (!line.has_returns()) return LineResult::no_returns;
-  if (buffer_.newest_line()) {
-    if (!is_in_order(line)) return LineResult::out_of_order;
-    if (!has_moved(line) && !replace_by_average(line, beams, poses)) return LineResult::too_close;
+  if (buffer_.newest_line() && !is_in_order(line)) return LineResult::out_of_order;
+  if (line.odom_origin != odom_origin_) {
+    buffer_.clear();
+    odom_origin_ = line.odom_origin;
+  } else if (buffer_.newest_line() && !has_moved(line) && !replace_by_average(line, beams, poses)) {
+    return LineResult::too_close;
   }
   averager_.clear();
   buffer_.push();
   return LineResult::modelled;
+}
+
+/// Returns the present origin, or one near the robot if that is too far from it.
+Eigen::Vector3d ScanFrontEnd::odom_origin_for(const LinePoses& poses) const {
+  const Eigen::Vector3d base = poses.T_odom_base_first.translation();
+  if ((base - odom_origin_).cwiseAbs().maxCoeff() <= kMaxDistance_m) return odom_origin_;
+  return kOriginStep_m * (base / kOriginStep_m).array().round();
 }
 
 bool ScanFrontEnd::is_in_order(const ScanLine& line) const {

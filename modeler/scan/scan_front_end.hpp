@@ -16,7 +16,7 @@ enum class LineResult {
   modelled,      ///< it entered the buffer; ribbons of an earlier line may now be in the model
   too_close,     ///< it has hardly moved since the line before it and would only add noise
   no_returns,    ///< not a single range is valid
-  malformed,     ///< it has the wrong length, or angles, times or poses that are not finite
+  malformed,     ///< it has the wrong length, or angles, times or poses that cannot be
   out_of_order,  ///< its stamp is not later than that of the line before it
 };
 
@@ -25,6 +25,9 @@ const char* to_string(LineResult result);
 
 /// The preprocessing of section 4.1 of the paper: places the beams of each line and pairs lines for
 /// the estimation of normals.
+///
+/// Positions in odom become relative to an origin near the robot, which moves along where the robot
+/// leaves its surroundings of 100 m. Lines before and after such a move are not paired.
 class ScanFrontEnd {
  public:
   /// Creates a front end without lines. `config` must be valid.
@@ -38,6 +41,7 @@ class ScanFrontEnd {
   std::optional<ThreeLines> next_three_lines() { return buffer_.next_three_lines(); }
 
  private:
+  Eigen::Vector3d odom_origin_for(const LinePoses& poses) const;
   bool is_in_order(const ScanLine& line) const;
   bool has_moved(const ScanLine& line) const;
   bool replace_by_average(ScanLine& line, const LaserBeams& beams, const LinePoses& poses);
@@ -45,6 +49,7 @@ class ScanFrontEnd {
   ScanConfig config_;
   LineBuffer buffer_;
   LineAverager averager_;  // the lines since the newest one in the buffer
+  Eigen::Vector3d odom_origin_ = Eigen::Vector3d::Zero();  // of the lines in the buffer
 };
 
 }  // namespace ribbon_mapper

@@ -8,9 +8,14 @@
 #include <limits>
 
 #include "modeler/geometry/angles.hpp"
+#include "modeler/geometry/pose_defect.hpp"
 
 namespace ribbon_mapper {
 namespace {
+
+/// No robot travels further while its laser takes one line; without a limit, a jump of odometry
+/// makes ribbons of any length.
+constexpr double kMaxTravel_m = 100.0;
 
 /// Pads to four doubles, so that the arithmetic maps to whole SSE2 registers.
 Eigen::Vector4d padded(const Eigen::Vector3d& v) { return {v.x(), v.y(), v.z(), 0.0}; }
@@ -239,8 +244,11 @@ std::optional<std::string> find_defect(const LaserBeams& beams, const LinePoses&
   for (const Pose* pose :
        {&poses.T_odom_base_first, &poses.T_odom_base_last, &poses.T_base_laser_first,
         &poses.T_base_laser_last, &poses.T_map_base}) {
-    if (!is_valid(*pose)) return "a pose is not finite or its rotation is not a rotation";
+    if (const auto defect = find_defect(*pose)) return "a pose " + *defect;
   }
+  const Eigen::Vector3d travel =
+      poses.T_odom_base_last.translation() - poses.T_odom_base_first.translation();
+  if (travel.norm() > kMaxTravel_m) return "odometry jumps by more than 100 m within the line";
   return std::nullopt;
 }
 

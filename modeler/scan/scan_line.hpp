@@ -16,14 +16,16 @@ namespace ribbon_mapper {
 
 /// One rotation of the laser with every beam placed where the robot and the tilt were when it was
 /// fired. Points are in the odom frame, which is continuous: neighbouring lines fit each other even
-/// when map jumps. Beams without a return keep their place, with range 0.
+/// when map jumps. Positions in odom are relative to `odom_origin`, so that sums of squares keep
+/// their precision far from zero. Beams without a return keep their place, with range 0.
 struct ScanLine {
   Time stamp{0};                        ///< half way between the first and the last beam
   Pose T_map_base = Pose::Identity();   ///< acquisition pose: base in map at `stamp`
-  Pose T_odom_base = Pose::Identity();  ///< base in odom at `stamp`
-  double angle_increment_rad = 0.0;     ///< angle between neighbouring beams, signed
-  double half_increment_sine = 0.0;     ///< sin(dtheta / 2) of eq. 2
-  std::size_t averaged_lines = 1;       ///< number of lines that this one is the mean of
+  Pose T_odom_base = Pose::Identity();  ///< base in odom at `stamp`, relative to `odom_origin`
+  Eigen::Vector3d odom_origin = Eigen::Vector3d::Zero();  ///< subtracted from positions in odom [m]
+  double angle_increment_rad = 0.0;  ///< angle between neighbouring beams, signed
+  double half_increment_sine = 0.0;  ///< sin(dtheta / 2) of eq. 2
+  std::size_t averaged_lines = 1;    ///< number of lines that this one is the mean of
   Eigen::Vector3d first_origin = Eigen::Vector3d::Zero();  ///< origin of the first beam, odom [m]
   Eigen::Vector3d origin_step = Eigen::Vector3d::Zero();   ///< from one beam's origin to the next's
   std::vector<float> ranges_m;                             ///< range of each beam; 0: no return
@@ -64,7 +66,7 @@ double mixed_pixel_step_per_range(const LaserBeams& beams, const ScanConfig& con
 std::optional<std::string> find_defect(const LaserBeams& beams, const LinePoses& poses);
 
 /// Places the beams of a line. `beams` and `poses` must be free of defects; `line` is overwritten
-/// and keeps its capacity.
+/// and keeps its capacity and its `odom_origin`, which the poses must be relative to.
 void place_beams(const LaserBeams& beams, const LinePoses& poses, const ScanConfig& config,
                  ScanLine& line);
 

@@ -6,6 +6,8 @@
 #include <stdexcept>
 #include <string>
 
+#include "modeler/geometry/pose_defect.hpp"
+
 namespace ribbon_mapper {
 namespace {
 
@@ -34,9 +36,9 @@ TrackedPose recorded_at(const TrackedPoses& recorded, Time time) {
 void require_usable(const std::vector<StampedPose>& trajectory) {
   if (trajectory.empty()) throw std::invalid_argument("the corrected trajectory is empty");
   for (std::size_t i = 0; i < trajectory.size(); ++i) {
-    if (!is_valid(trajectory[i].T_map_base)) {
-      throw std::invalid_argument("pose " + std::to_string(i) +
-                                  " of the corrected trajectory is not finite or not rigid");
+    if (const auto defect = find_defect(trajectory[i].T_map_base)) {
+      throw std::invalid_argument("pose " + std::to_string(i) + " of the corrected trajectory " +
+                                  *defect);
     }
     if (i > 0 && trajectory[i].stamp <= trajectory[i - 1].stamp) {
       throw std::invalid_argument("the corrected trajectory's stamps do not increase at pose " +

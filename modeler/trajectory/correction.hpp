@@ -20,7 +20,7 @@ class Correction {
  public:
   /// Derives the change from recorded poses (not empty) and the corrected ones. Corrected poses
   /// outside the time of the recorded ones are ignored. Throws std::invalid_argument, saying what
-  /// is wrong, if `corrected` is empty, unordered or not finite, or if none of it can be used.
+  /// is wrong, if `corrected` is empty or unordered, a pose has a defect, or none can be used.
   Correction(const TrackedPoses& recorded, const std::vector<StampedPose>& corrected);
 
   /// Returns where a recorded pose was, according to the corrected trajectory.

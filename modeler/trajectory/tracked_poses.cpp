@@ -6,8 +6,14 @@
 
 namespace ribbon_mapper {
 
+void TrackedPoses::reserve_one_more() {
+  ribbon_mapper::reserve_one_more(stamps_);
+  T_map_base_.reserve_one_more();
+  T_odom_base_.reserve_one_more();
+}
+
 void TrackedPoses::push_back(const TrackedPose& pose) {
-  reserve_one_more(stamps_);
+  reserve_one_more();
   stamps_.push_back(pose.in_map.stamp);
   T_map_base_.push_back(pose.in_map.T_map_base);
   T_odom_base_.push_back(pose.T_odom_base);

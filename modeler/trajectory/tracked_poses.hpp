@@ -20,6 +20,8 @@ struct TrackedPose {
 /// A sequence of tracked poses in the order of their stamps, packed.
 class TrackedPoses {
  public:
+  /// Makes room for one more pose: the next push_back() cannot fail.
+  void reserve_one_more();
   /// Appends a pose. Its stamp must be later than that of the last one.
   void push_back(const TrackedPose& pose);
   /// Keeps only the poses at these ascending indices.

@@ -7,7 +7,13 @@
 
 namespace ribbon_mapper {
 
+void Trajectory::reserve_one_more() {
+  recorded_.reserve_one_more();
+  if (correction_) T_map_base_.reserve_one_more();
+}
+
 void Trajectory::add(const TrackedPose& recorded) {
+  reserve_one_more();
   recorded_.push_back(recorded);
   if (!correction_) return;
   T_map_base_.push_back(config_.poses_follow ? recorded.in_map.T_map_base

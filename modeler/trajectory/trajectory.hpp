@@ -20,6 +20,9 @@ class Trajectory {
   /// Creates an empty trajectory.
   explicit Trajectory(const TrajectoryConfig& config) : config_(config) {}
 
+  /// Makes room for one more pose: the next add() cannot fail.
+  void reserve_one_more();
+
   /// Appends a recorded pose, moved by the last correction unless TrajectoryConfig::poses_follow.
   /// Its stamp must be later than that of the last one.
   void add(const TrackedPose& recorded);

@@ -5,10 +5,10 @@
 
 #include <CLI/CLI.hpp>
 #include <cstdio>
-#include <exception>
 
-#include "modeler/io/atomic_file.hpp"
 #include "modeler/io/tum.hpp"
+#include "modeler/program/run_program.hpp"
+#include "modeler/storage/atomic_file.hpp"
 #include "sim/ros/tour_recorder.hpp"
 
 namespace {
@@ -67,17 +67,16 @@ void run(Options& options) {
 }  // namespace
 
 int main(int argc, char** argv) {
-  Options options;
-  CLI::App app("Records a simulated tour as a bag, as the robot would.", "record_tour");
-  add_options(app, options);
-  try {
-    app.parse(argc, argv);
+  return run_program("record_tour", [&] {
+    Options options;
+    CLI::App app("Records a simulated tour as a bag, as the robot would.", "record_tour");
+    add_options(app, options);
+    try {
+      app.parse(argc, argv);
+    } catch (const CLI::ParseError& error) {
+      return app.exit(error) == 0 ? 0 : 2;
+    }
     run(options);
     return 0;
-  } catch (const CLI::ParseError& error) {
-    return app.exit(error) == 0 ? 0 : 2;
-  } catch (const std::exception& error) {
-    std::fprintf(stderr, "record_tour: %s\n", error.what());
-    return 1;
-  }
+  });
 }

@@ -24,7 +24,8 @@ _CORE = {
 }
 _METHOD = [f"modeler/{name}" for name in _CORE]
 _MODELER = _METHOD + ["modeler"]
-_TOOLS = _MODELER + ["modeler/calibration", "modeler/io", "modeler/program"]
+_TOOLS = _MODELER + ["modeler/calibration", "modeler/storage", "modeler/io",
+                     "modeler/program"]
 _ROS = ["modeler/ros/messages", "modeler/ros/intake", "modeler/ros/node"]
 _SIM = ["sim/shapes", "sim/world", "sim/rays", "sim/robot", "sim/tour", "sim/truth"]
 _POSE = ["modeler/geometry/time.hpp", "modeler/geometry/pose.hpp"]
@@ -34,8 +35,9 @@ ROOMS = {
        for name, others in _CORE.items()},
     "modeler": Room(_METHOD, ["Eigen"]),
     "modeler/calibration": Room(_MODELER, ["Eigen"]),
-    "modeler/io": Room(_MODELER + ["modeler/calibration"],
-                       ["Eigen", "nlohmann", "octomap", "sys", "yaml-cpp"]),
+    "modeler/storage": Room([], ["sys"]),
+    "modeler/io": Room(_MODELER + ["modeler/calibration", "modeler/storage"],
+                       ["Eigen", "nlohmann", "octomap", "yaml-cpp"]),
     "modeler/program": Room([], ["sys"]),
     "modeler/ros/messages": Room(_TOOLS, ANY),
     "modeler/ros/intake": Room(_TOOLS + ["modeler/ros/messages"], ANY),
@@ -55,7 +57,8 @@ ROOMS = {
     # How messages and parameters are read, and how files are written, is one thing for all nodes.
     "sim/ros": Room(_SIM + _POSE + ["modeler/ros/messages/message_conversions.hpp",
                                     "modeler/ros/node/strict_parameters.hpp",
-                                    "modeler/io/atomic_file.hpp", "modeler/io/tum.hpp"], ANY),
+                                    "modeler/program/run_program.hpp",
+                                    "modeler/storage/atomic_file.hpp", "modeler/io/tum.hpp"], ANY),
     "eval/metrics": Room(_TOOLS + _SIM, ["Eigen"]),
     "eval/results": Room(_TOOLS + _SIM + ["eval/metrics", "eval/experiment"],
                          ["Eigen", "nlohmann"]),

@@ -1,10 +1,14 @@
 // SPDX-FileCopyrightText: 2026 ribbon_mapper authors
 // SPDX-License-Identifier: BSD-3-Clause
 #include <gmock/gmock.h>
+#include <rosbag/bag.h>
+#include <rosbag/view.h>
+#include <tf2_msgs/TFMessage.h>
 
 #include <algorithm>
 #include <cmath>
 #include <fstream>
+#include <nlohmann/json.hpp>
 
 #include "modeler/assembly/model_quality.hpp"
 #include "modeler/io/config_file.hpp"
@@ -19,6 +23,7 @@ namespace {
 
 namespace fs = std::filesystem;
 using testing::HasSubstr;
+using testing::Not;
 
 const fs::path kRoom = PROJECT_DIR "/test/data/small_room.bag";
 const fs::path kRoomTruth = PROJECT_DIR "/test/data/small_room.tum";
@@ -55,6 +60,108 @@ TEST(Offline, TheSameBagGivesTheSameBytes) {
                            "planes_after_cells.ply", "planes_after.bt", "trajectory.tum"}) {
     EXPECT_GT(content_of(a.path() / name).size(), 100u) << name;
     EXPECT_EQ(content_of(a.path() / name), content_of(b.path() / name)) << name;
+  }
+}
+
+/// Writes a copy of small_room.bag in which all transforms from `parent` are moved.
+void write_moved_room(const std::string& parent, const Eigen::Vector3d& shift, const fs::path& to) {
+  rosbag::Bag from(kRoom, rosbag::bagmode::Read), copy(to, rosbag::bagmode::Write);
+  for (const rosbag::MessageInstance& message : rosbag::View(from)) {
+    const auto tf = message.instantiate<tf2_msgs::TFMessage>();
+    if (!tf) {
+      copy.write(message.getTopic(), message.getTime(), message);
+      continue;
+    }
+    for (geometry_msgs::TransformStamped& transform : tf->transforms) {
+      if (transform.header.frame_id != parent) continue;
+      transform.transform.translation.x += shift.x();
+      transform.transform.translation.y += shift.y();
+      transform.transform.translation.z += shift.z();
+    }
+    copy.write(message.getTopic(), message.getTime(), *tf);
+  }
+}
+
+/// Expects the planes of another run, moved, under any ids. Areas may differ by 5 %: before the
+/// first corrected pose, a line is where a map far from its odometry puts it.
+void expect_moved(const std::vector<Plane>& before, const std::vector<Plane>& after,
+                  const Eigen::Vector3d& shift) {
+  ASSERT_EQ(before.size(), after.size());
+  for (const Plane& plane : before) {
+    EXPECT_EQ(1, std::count_if(after.begin(), after.end(),
+                               [&](const Plane& other) {
+                                 const double distance_m =
+                                     plane.normal.dot(other.centroid - shift) + plane.d_m;
+                                 return (plane.normal - other.normal).norm() < 1e-3 &&
+                                        std::abs(distance_m) < 0.003 &&
+                                        std::abs(plane.area_m2 - other.area_m2) <
+                                            0.05 * plane.area_m2;
+                               }))
+        << "plane " << plane.id;
+  }
+}
+
+const Eigen::Vector3d kUtm(690'123.25, 5'334'567.75, 519.5);
+
+TEST(Offline, AMapInUtmIsExportedWithItsOrigin) {
+  const TemporaryDirectory directory;
+  write_moved_room("map", kUtm, directory.path() / "utm.bag");
+  std::vector<StampedPose> truth = read_tum(kRoomTruth);
+  for (StampedPose& pose : truth) pose.T_map_base.pretranslate(kUtm);
+  std::ofstream(directory.path() / "utm.tum") << to_tum(truth);
+  const OfflineRun near = run(kRoom, "pr2.yaml", kRoomTruth);
+  const OfflineRun utm =
+      run(directory.path() / "utm.bag", "pr2.yaml", directory.path() / "utm.tum");
+  expect_moved(near.planes_after, utm.planes_after, kUtm);
+  const TemporaryDirectory near_files, utm_files;
+  write_model(near, near_files.path());
+  write_model(utm, utm_files.path());
+  for (const char* name : {"planes_after.ply", "planes_after_cells.ply", "planes_after.bt"}) {
+    const std::string bytes = content_of(utm_files.path() / name);
+    EXPECT_THAT(bytes, HasSubstr("origin 690000 5335000 0\n")) << name;
+    EXPECT_THAT(content_of(near_files.path() / name), Not(HasSubstr("origin"))) << name;
+    EXPECT_GT(bytes.size(), content_of(near_files.path() / name).size() / 2) << name;
+  }
+  EXPECT_THAT(content_of(utm_files.path() / "planes_after.json"),
+              HasSubstr("\"origin\": [690000.0,5335000.0,0.0]"));
+}
+
+TEST(Offline, OdometryInUtmMakesTheSamePlanes) {
+  const TemporaryDirectory directory;
+  const OfflineRun near = run(kRoom, "pr2.yaml", kRoomTruth);
+  for (const Eigen::Vector3d& shift : {kUtm, Eigen::Vector3d(3e6, 5e6, 0.0)}) {
+    write_moved_room("odom_combined", shift, directory.path() / "utm.bag");
+    const OfflineRun utm = run(directory.path() / "utm.bag", "pr2.yaml", kRoomTruth);
+    expect_moved(near.planes_after, utm.planes_after, Eigen::Vector3d::Zero());
+  }
+}
+
+TEST(Offline, PosesThatCannotBeAreNamed) {
+  const TemporaryDirectory directory;
+  write_moved_room("map", {1e19, 0.0, 0.0}, directory.path() / "absurd.bag");
+  try {
+    run(directory.path() / "absurd.bag", "pr2.yaml");
+    ADD_FAILURE() << "accepted";
+  } catch (const std::runtime_error& error) {
+    EXPECT_THAT(error.what(), HasSubstr("x malformed"));
+    EXPECT_THAT(error.what(), HasSubstr("a pose lies more than 1e9 m from the origin"));
+  }
+}
+
+TEST(Offline, AllFilesOfARunNameIt) {
+  const TemporaryDirectory directory;
+  OfflineRun found = run(kRoom, "pr2.yaml");
+  found.frame = "world";
+  write_model(found, directory.path());
+  const auto summary = nlohmann::json::parse(content_of(directory.path() / "summary.json"));
+  const auto id = summary.at("run").get<std::string>();
+  EXPECT_EQ(id.size(), 16U);
+  for (const char* name : {"planes_before.json", "planes_after.json", "planes_after.ply",
+                           "planes_after_cells.ply", "planes_after.bt", "trajectory.tum"}) {
+    EXPECT_THAT(content_of(directory.path() / name), HasSubstr(id)) << name;
+  }
+  for (const char* name : {"planes_before.json", "planes_after.json"}) {
+    EXPECT_EQ(nlohmann::json::parse(content_of(directory.path() / name)).at("frame"), "world");
   }
 }
 

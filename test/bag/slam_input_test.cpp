@@ -55,6 +55,94 @@ TEST(WireReader, ReadsAKnownMessageByItsDefinition) {
   }
 }
 
+/// Returns why a definition or its message is refused; empty if neither is.
+std::string complaint_about(const std::string& definition,
+                            const std::vector<std::uint8_t>& message = {}) {
+  try {
+    WireReader(definition).read(message.data(), message.size(), [](const std::string&, double) {});
+    return "";
+  } catch (const std::invalid_argument& error) {
+    return error.what();
+  }
+}
+
+TEST(WireReader, RefusesTypesThatContainThemselves) {
+  const char* const kWhy = "types within types without end";
+  EXPECT_THAT(complaint_about("pkg/A a\n====\nMSG: pkg/A\npkg/A a\n"), HasSubstr(kWhy));
+  EXPECT_THAT(complaint_about("A[] a\n====\nMSG: pkg/A\nuint8 x\nA[] a\n"), HasSubstr(kWhy));
+  EXPECT_THAT(complaint_about("A a\n===\nMSG: p/A\nB[2] b\nB c\n===\nMSG: p/B\nA a\nA b\n"),
+              HasSubstr(kWhy));
+  std::string chain = "T0 t\n";
+  for (int i = 0; i < 100'000; ++i) {
+    chain += "===\nMSG: p/T" + std::to_string(i) + "\nT" + std::to_string(i + 1) + " t\n";
+  }
+  EXPECT_THAT(complaint_about(chain), HasSubstr(kWhy));
+}
+
+TEST(WireReader, SkipsElementsWithoutContentWhateverTheirNumber) {
+  const std::string empty = "====\nMSG: p/E\n# nothing\n====\nMSG: p/N\nE e\nE[7] f\nuint8[0] g\n";
+  const auto count = bytes_of(std::uint32_t{4'000'000'000u});
+  for (const char* fields : {"E[] e\n", "N[] n\n"}) {
+    EXPECT_EQ("", complaint_about(fields + empty, count)) << fields;
+  }
+  EXPECT_EQ("", complaint_about("N[4000000000] n\nE[4000000000] e\nuint8 x\n" + empty, {1}));
+  double sum = 0.0;
+  const auto message = joined(std::uint32_t{4'000'000'000u}, 2.5);
+  WireReader("N[] n\nfloat64 x\n" + empty)
+      .read(message.data(), message.size(),
+            [&](const std::string&, double value) { sum += value; });
+  EXPECT_EQ(sum, 2.5);
+}
+
+TEST(WireReader, RefusesCountsBeyondTheMessageAtOnce) {
+  const auto count = bytes_of(std::uint32_t{4'000'000'000u});
+  std::string powers = "T0[4294967295] t\n";  // 4294967295^20 bytes
+  for (int i = 0; i < 20; ++i) {
+    powers +=
+        "===\nMSG: p/T" + std::to_string(i) + "\nT" + std::to_string(i + 1) + "[4294967295] t\n";
+  }
+  powers += "===\nMSG: p/T20\nuint8 x\n";
+  for (const std::string& definition :
+       {std::string("float64[] x\n"), std::string("string[] x\n"),
+        std::string("float64[4294967295] x\n"), std::string("uint8[] x\n"),
+        std::string("P[] p\n===\nMSG: p/P\nfloat64 x\n"), powers}) {
+    EXPECT_THAT(complaint_about(definition, count), HasSubstr("shorter than its definition"));
+  }
+}
+
+TEST(WireReader, RefusesWhatIsNoDefinition) {
+  EXPECT_THAT(complaint_about(""), HasSubstr("is empty"));
+  EXPECT_THAT(complaint_about("uint8"), HasSubstr("no field name"));
+  EXPECT_THAT(complaint_about("uint8[ x"), HasSubstr("no ']'"));
+  EXPECT_THAT(complaint_about("uint8[-1] x"), HasSubstr("array length '-1'"));
+  EXPECT_THAT(complaint_about("uint8[99999999999] x"), HasSubstr("array length"));
+  EXPECT_THAT(complaint_about("uint8[two] x"), HasSubstr("array length 'two'"));
+  EXPECT_THAT(complaint_about("Header h"), HasSubstr("lacks the type Header"));
+  EXPECT_THAT(complaint_about("[] x"), HasSubstr("lacks the type"));
+  EXPECT_THAT(complaint_about("A a\n===\nMSG: p/A\nuint8 x\n===\nMSG: p/A\nuint8 x\n"),
+              HasSubstr("twice"));
+  EXPECT_LT(complaint_about("A" + std::string(1'000'000, 'x') + " a").size(), 400u);
+}
+
+TEST(WireReader, TellsConstantsFromComments) {
+  std::vector<double> values;
+  const std::vector<std::uint8_t> message{1, 2, 3};
+  WireReader("uint8 A=7\nuint8 x # = 1\nstring S=a # b\nuint8 y#y=2\nuint8 z\n")
+      .read(message.data(), message.size(),
+            [&](const std::string&, double value) { values.push_back(value); });
+  EXPECT_EQ(values, (std::vector<double>{1, 2, 3}));
+}
+
+TEST(WireReader, PrefersTypesOfThePackageThatUsesThem) {
+  double value = 0.0;
+  const std::vector<std::uint8_t> message{9};
+  WireReader(
+      "b/User u\n===\nMSG: a/Point\nfloat64 x\n===\nMSG: b/Point\nuint8 x\n===\nMSG: b/User\nPoint "
+      "p\n")
+      .read(message.data(), message.size(), [&](const std::string&, double x) { value = x; });
+  EXPECT_EQ(value, 9.0);
+}
+
 /// The relevant parts of rtabmap_msgs/MapData, with some others between them.
 const char* const kMapData = R"(std_msgs/Header header
 MapGraph graph

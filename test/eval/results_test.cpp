@@ -8,6 +8,7 @@
 
 #include "test/eval/sample_results.hpp"
 #include "test/io/temporary_directory.hpp"
+#include "test/storage/full_disk.hpp"
 
 namespace ribbon_mapper::eval {
 namespace {
@@ -65,9 +66,48 @@ TEST(Results, TheSameResultsGiveTheSameBytes) {
   const TemporaryDirectory directory;
   for (const char* name : {"a", "b"}) write_results(sample_results(), directory.path() / name);
   for (const auto& file : std::filesystem::directory_iterator(directory.path() / "a")) {
+    if (!std::filesystem::is_regular_file(file)) continue;
     EXPECT_EQ(content_of(file), content_of(directory.path() / "b" / file.path().filename()))
         << file.path();
   }
+}
+
+TEST(Results, AllFilesNameTheRun) {
+  const TemporaryDirectory directory;
+  write_results(sample_results(), directory.path());
+  const auto summary = nlohmann::json::parse(content_of(directory.path() / "summary.json"));
+  const auto id = summary.at("run").get<std::string>();
+  EXPECT_EQ(id.size(), 16U);
+  for (const auto& entry : std::filesystem::directory_iterator(directory.path())) {
+    if (!std::filesystem::is_regular_file(entry)) continue;
+    EXPECT_THAT(content_of(entry), testing::HasSubstr(id)) << entry;
+  }
+}
+
+TEST(Results, OneRunReplacesTheFilesOfAnother) {
+  const TemporaryDirectory directory;
+  FileSet with_figure = staged_results(sample_results(), directory.path());
+  with_figure.add("before_after.png", "a figure of this run");
+  with_figure.commit();
+  EXPECT_TRUE(std::filesystem::exists(directory.path() / "before_after.png"));
+  write_results(sample_results(), directory.path());
+  EXPECT_FALSE(std::filesystem::exists(directory.path() / "before_after.png"));
+  EXPECT_TRUE(std::filesystem::exists(directory.path() / "planes_after.json"));
+}
+
+TEST(Results, AFullDiskAtAnyFileLeavesTheRunBefore) {
+  const TemporaryDirectory directory;
+  write_results(sample_results(), directory.path());
+  const std::string before = content_of(directory.path() / "summary.json");
+  Results other = sample_results();
+  other.models.corrected[0].d_m += 0.001;
+  for (const rlim_t bytes : {0, 100, 500, 1000, 2000, 5000, 20'000, 40'000}) {
+    const FullDisk disk(bytes);
+    EXPECT_THROW(write_results(other, directory.path()), std::runtime_error) << bytes;
+    EXPECT_EQ(content_of(directory.path() / "summary.json"), before);
+  }
+  write_results(other, directory.path());
+  EXPECT_NE(content_of(directory.path() / "summary.json"), before);
 }
 
 TEST(Results, ADirectoryThatCannotBeIsNamed) {

@@ -120,6 +120,90 @@ TEST(OctoMap, SameModelSameBytes) {
   EXPECT_NO_THROW(planes_to_octomap({}));
 }
 
+/// Returns the small plane moved to a place in UTM, 32 T in Bavaria.
+Plane plane_in_utm() {
+  const Eigen::Vector3d shift(690'123.25, 5'334'567.75, 519.5);
+  Plane plane = small_plane();
+  plane.origin += shift;
+  plane.centroid += shift;
+  plane.d_m -= shift.z();
+  for (Eigen::Vector3d& point : plane.outline) point += shift;
+  return plane;
+}
+
+TEST(Origin, IsZeroWithinAKilometre) {
+  EXPECT_EQ(origin_of({}), Eigen::Vector3d(0, 0, 0));
+  EXPECT_EQ(origin_of({small_plane()}), Eigen::Vector3d(0, 0, 0));
+  Plane plane = small_plane();
+  for (Eigen::Vector3d& point : plane.outline) point.x() -= 999.0;
+  EXPECT_EQ(origin_of({plane}), Eigen::Vector3d(0, 0, 0));
+}
+
+TEST(Origin, IsInWholeKilometresNearPlanesFarAway) {
+  EXPECT_EQ(origin_of({plane_in_utm()}), Eigen::Vector3d(690'000, 5'335'000, 0));
+  Plane plane = small_plane();
+  for (Eigen::Vector3d& point : plane.outline) point.y() -= 2'400'000.0;
+  EXPECT_EQ(origin_of({plane}), Eigen::Vector3d(0, -2'400'000, 0));
+}
+
+TEST(Origin, IsSubtractedInPlyAndStated) {
+  ModelLabel label;
+  label.origin = origin_of({plane_in_utm()});
+  for (const std::string& ply :
+       {planes_to_ply_cloud({plane_in_utm()}, label),
+        planes_to_ply_mesh({plane_in_utm()}, SurfaceConfig{}.stripe_gap_m, label)}) {
+    EXPECT_NE(ply.find("\ncomment origin 690000 5335000 0\n"), std::string::npos);
+    const float half_cell = ply.find("element face") == std::string::npos ? 0.025F : 0.0F;
+    const std::string body = body_of(ply);
+    EXPECT_NEAR(number_at<float>(body, 0), 123.25F + half_cell, 1e-4F);
+    EXPECT_NEAR(number_at<float>(body, 4), -432.25F + half_cell, 1e-4F);
+    EXPECT_NEAR(number_at<float>(body, 8), 520.0F, 1e-4F);
+  }
+}
+
+TEST(Origin, IsStatedInJsonWhoseNumbersAreWhole) {
+  ModelLabel label;
+  label.origin = origin_of({plane_in_utm()});
+  const auto json = nlohmann::json::parse(planes_to_json({plane_in_utm()}, label));
+  EXPECT_EQ(json.at("origin"), nlohmann::json({690'000.0, 5'335'000.0, 0.0}));
+  EXPECT_EQ(json.at("planes")[0].at("outline")[0][1], 5'334'567.75);
+}
+
+TEST(Origin, LetsOctoMapsHoldPlanesFarAway) {
+  ModelLabel label;
+  label.origin = origin_of({plane_in_utm()});
+  label.run = "0123456789abcdef";
+  const std::string bytes = planes_to_octomap({plane_in_utm()}, label);
+  EXPECT_NE(bytes.find("\n# run 0123456789abcdef\n# origin 690000 5335000 0\n"), std::string::npos);
+  std::stringstream stream(bytes);
+  octomap::OcTree tree(1.0);
+  ASSERT_TRUE(tree.readBinary(stream));
+  EXPECT_NE(tree.search(octomap::point3d(123.28F, -432.22F, 520.0F)), nullptr);
+}
+
+/// An OctoMap of 5 cm ends at 1638 m.
+TEST(OctoMap, HoldsAModelThatIsLargerThanItsKeys) {
+  Plane far = small_plane();
+  far.origin.x() = 5000.0;
+  for (Eigen::Vector3d& point : far.outline) point.x() += 5000.0;
+  std::stringstream stream(planes_to_octomap({small_plane(), far}));
+  octomap::OcTree tree(1.0);
+  ASSERT_TRUE(tree.readBinary(stream));
+  EXPECT_NEAR(tree.getResolution(), 0.2, 1e-9);
+  EXPECT_NE(tree.search(octomap::point3d(0.05F, 0.02F, 0.5F)), nullptr);
+  EXPECT_NE(tree.search(octomap::point3d(5000.05F, 0.02F, 0.5F)), nullptr);
+}
+
+TEST(Frame, OfAnyNameLeavesFilesWhole) {
+  ModelLabel label;
+  label.frame = "a \"map\"\nend_header\xff";
+  const auto json = nlohmann::json::parse(planes_to_json({small_plane()}, label));
+  EXPECT_EQ(json.at("frame").get<std::string>().substr(0, 8), "a \"map\"\n");
+  const std::string ply = planes_to_ply_cloud({small_plane()}, label);
+  EXPECT_NE(ply.find("a \"map\" end_header\xff frame, metres\n"), std::string::npos);
+  EXPECT_EQ(ply.find("\nend_header\n"), ply.find("property int plane_id") + 21);
+}
+
 TEST(Colour, ColoursOfIdsDifferAndStandOut) {
   std::set<std::tuple<int, int, int>> seen;
   for (std::int64_t id = -3; id < 100; ++id) {

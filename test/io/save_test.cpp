@@ -3,13 +3,11 @@
 #include "modeler/io/save.hpp"
 
 #include <gmock/gmock.h>
-#include <sys/resource.h>
-
-#include <csignal>
 
 #include "modeler/surface/surface_config.hpp"
 #include "test/io/small_plane.hpp"
 #include "test/io/temporary_directory.hpp"
+#include "test/storage/full_disk.hpp"
 
 namespace ribbon_mapper {
 namespace {
@@ -57,19 +55,50 @@ TEST(Save, AFullDiskLeavesTheEarlierSaveWhole) {
   save_model({small_plane()}, directory.path(), "kitchen", kStripeGap_m);
   const std::string json = content_of(directory.path() / "kitchen.json");
 
-  std::signal(SIGXFSZ, SIG_IGN);
-  rlimit before{};
-  getrlimit(RLIMIT_FSIZE, &before);
-  const rlimit full{600, before.rlim_max};  // enough for the JSON, too little for the mesh
-  setrlimit(RLIMIT_FSIZE, &full);
   Plane other = small_plane();
   other.id = 8;
-  EXPECT_THROW(save_model({other, small_plane()}, directory.path(), "kitchen", kStripeGap_m),
-               std::runtime_error);
-  setrlimit(RLIMIT_FSIZE, &before);
-
+  {
+    const FullDisk disk(600);  // enough for the JSON, too little for the mesh
+    EXPECT_THROW(save_model({other, small_plane()}, directory.path(), "kitchen", kStripeGap_m),
+                 std::runtime_error);
+  }
   EXPECT_EQ(content_of(directory.path() / "kitchen.json"), json);
-  EXPECT_EQ(directory.file_count(), 4U);
+  EXPECT_EQ(directory.file_count(), 5U);  // with the folder of the set
+}
+
+/// Returns the word after the first `mark` in a file.
+std::string word_after(const std::string& mark, const std::filesystem::path& path) {
+  const std::string bytes = content_of(path);
+  const std::size_t at = bytes.find(mark);
+  if (at == std::string::npos) return "no " + mark;
+  return bytes.substr(at + mark.size(),
+                      bytes.find_first_of(" \n\"", at + mark.size()) - at - mark.size());
+}
+
+TEST(Save, EachFileNamesTheRunAndTheFrame) {
+  const TemporaryDirectory directory;
+  save_model({small_plane()}, directory.path(), "kitchen", kStripeGap_m, "robot1/map");
+  const std::string run = word_after("\"run\": \"", directory.path() / "kitchen.json");
+  EXPECT_EQ(run.size(), 16U);
+  for (const char* name : {"kitchen.ply", "kitchen_cells.ply", "kitchen.bt"}) {
+    EXPECT_EQ(word_after("run ", directory.path() / name), run) << name;
+  }
+  EXPECT_EQ(word_after("\"frame\": \"", directory.path() / "kitchen.json"), "robot1/map");
+  EXPECT_EQ(word_after("ribbon_mapper, ", directory.path() / "kitchen.ply"), "robot1/map");
+}
+
+TEST(Save, OnlyTheSameModelHasTheSameRun) {
+  const TemporaryDirectory directory;
+  Plane other = small_plane();
+  other.d_m += 1e-9;
+  save_model({small_plane()}, directory.path(), "a", kStripeGap_m);
+  save_model({small_plane()}, directory.path(), "b", kStripeGap_m);
+  save_model({other}, directory.path(), "c", kStripeGap_m);
+  const auto run = [&](const char* name) {
+    return word_after("\"run\": \"", directory.path() / name);
+  };
+  EXPECT_EQ(run("a.json"), run("b.json"));
+  EXPECT_NE(run("a.json"), run("c.json"));
 }
 
 }  // namespace

@@ -4,6 +4,8 @@
 
 #include <gmock/gmock.h>
 
+#include <algorithm>
+
 #include "test/io/temporary_directory.hpp"
 
 namespace ribbon_mapper {
@@ -66,7 +68,40 @@ INSTANTIATE_TEST_SUITE_P(Tum, BadText,
                                          BadLine{"6 0 0 0 0 0 0 0", "quaternion"},
                                          BadLine{"6 0 0 0 0 0 0 2", "quaternion"},
                                          BadLine{"5 0 0 0 0 0 0 1", "not later"},
-                                         BadLine{"1e30 0 0 0 0 0 0 1", "too large"}));
+                                         BadLine{"1e30 0 0 0 0 0 0 1", "too large"},
+                                         BadLine{"6 1e300 0 0 0 0 0 1", "more than 1e9 m"},
+                                         BadLine{"6 0 -1e19 0 0 0 0 1", "more than 1e9 m"},
+                                         BadLine{"6 0 0 1000000001 0 0 0 1", "more than 1e9 m"},
+                                         BadLine{"6 0,5 0 0 0 0 0 1", "8 finite numbers"}));
+
+TEST(Tum, FarPosesKeepTheirDigits) {
+  const Pose utm = planar_pose(690'123.123456789, 5'334'567.987654321, 0.5);
+  const auto back = from_tum(to_tum({{Time(1), utm}}), "text");
+  EXPECT_TRUE(back.at(0).T_map_base.isApprox(utm, 1e-15));
+  const Pose largest = planar_pose(1e9, -1e9, 0.0);
+  EXPECT_EQ(from_tum(to_tum({{Time(1), largest}}), "text").at(0).T_map_base.translation(),
+            largest.translation());
+}
+
+TEST(Tum, WhatCannotBeReadAgainIsWrittenInWholeLines) {
+  const std::string text = to_tum({{Time(1), planar_pose(1e300, -1e300, 0.0)}});
+  EXPECT_EQ(std::count(text.begin(), text.end(), '\n'), 2);
+  EXPECT_THROW(from_tum(text, "text"), std::runtime_error);
+}
+
+TEST(Tum, StatesItsRun) {
+  EXPECT_EQ(to_tum({}, "0123456789abcdef"),
+            "# run 0123456789abcdef\n# stamp tx ty tz qx qy qz qw\n");
+  EXPECT_TRUE(from_tum(to_tum({}, "0123456789abcdef"), "text").empty());
+}
+
+TEST(Tum, NegativeStampsComeBack) {
+  const std::vector<StampedPose> early{{Time(-1'500'000'001), Pose::Identity()},
+                                       {Time(-1), Pose::Identity()}};
+  const auto back = from_tum(to_tum(early), "text");
+  EXPECT_EQ(back.at(0).stamp, early[0].stamp);
+  EXPECT_EQ(back.at(1).stamp, early[1].stamp);
+}
 
 TEST(Tum, FilesThatCannotBeReadAreNamed) {
   const TemporaryDirectory directory;

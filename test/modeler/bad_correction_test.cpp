@@ -83,10 +83,47 @@ TEST_F(BadCorrection, LeavesACorrectedModelUnchanged) {
   expect_bad_poses_refused();
 }
 
+/// Returns the recording with a robot that stands, as after an old latched path was received.
+Lines standing() { return drive(room(), tilting_in_place(), 0.0, 6.0); }
+
+/// A refused correction once destroyed the one before it: later lines got poses from freed memory.
+TEST_F(BadCorrection, LeavesLaterLinesWhereTheLastGoodOnePutsThem) {
+  for (const bool poses_follow : {true, false}) {
+    ModelerConfig config;
+    config.trajectory.poses_follow = poses_follow;
+    const Lines all = standing();
+    const auto middle = all.begin() + static_cast<std::ptrdiff_t>(all.size() / 2);
+    Modeler refused = model_of({all.begin(), middle}, config);
+    Modeler spared = model_of({all.begin(), middle}, config);
+    const Trajectory moved{{all[all.size() / 4].beams.stamp, planar_pose(3.0, 4.0, 0.5)}};
+    refused.correct(moved), spared.correct(moved);
+    const Trajectory old_path{
+        {all.front().beams.stamp - std::chrono::hours(1), planar_pose(110, 0, 0)}};
+    const Trajectory absurd{{moved[0].stamp, planar_pose(1e19, 0.0, 0.0)}};
+    for (const Trajectory& bad : {old_path, absurd, Trajectory()}) {
+      EXPECT_THROW(refused.correct(bad), std::invalid_argument);
+    }
+    for (auto line = middle; line != all.end(); ++line) {
+      refused.add_scan_line(line->beams, line->poses);
+      spared.add_scan_line(line->beams, line->poses);
+    }
+    ASSERT_EQ(spared.trajectory().size(), refused.trajectory().size());
+    for (std::size_t i = 0; i < refused.trajectory().size(); ++i) {
+      EXPECT_TRUE(
+          refused.trajectory()[i].T_map_base.isApprox(spared.trajectory()[i].T_map_base, 0.0));
+    }
+    EXPECT_EQ(bytes_of(spared.planes()), bytes_of(refused.planes()));
+    refused.correct(moved), spared.correct(moved);
+    EXPECT_EQ(bytes_of(spared.planes()), bytes_of(refused.planes()));
+  }
+}
+
 TEST_F(BadCorrection, IsRefusedByAnEmptyModel) {
   Modeler empty{ModelerConfig{}};
   EXPECT_THROW(empty.correct(truth), std::invalid_argument);
   EXPECT_EQ(0u, empty.statistics().revision);
+  for (const Line& line : lines) empty.add_scan_line(line.beams, line.poses);
+  EXPECT_EQ(bytes_of(modeler.planes()), bytes_of(empty.planes()));
 }
 
 /// Other poses keep their odometry relative to the nearest corrected pose.

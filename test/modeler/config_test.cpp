@@ -176,6 +176,54 @@ TEST_F(ConfigFile, WithWrongValuesIsRefusedWithTheKey) {
   expect_complaint("surface: {cell_size_m: .nan}", {"surface.cell_size_m is nan"});
 }
 
+TEST_F(ConfigFile, WithAliasesThatLeadToThemselvesIsRefused) {
+  expect_complaint("&a {scan: *a}", {"unknown key scan.scan.scan.scan.scan"});
+  expect_complaint("scan: &a {scan: *a}", {"unknown key scan.scan.scan.scan.scan"});
+  expect_complaint("surface: &a\n  cell_size_m: *a\n", {"surface.cell_size_m must be a number"});
+  expect_complaint("association: &a {slam: *a}", {"unknown key association.slam.slam"});
+  expect_complaint("foo: &a [*a]", {"unknown key foo"});
+  expect_complaint("surface: {cell_size_m: &a [*a]}", {"surface.cell_size_m must be a number"});
+}
+
+/// Nine levels of nine aliases are 400 million keys.
+TEST_F(ConfigFile, WithManyAliasesIsRefusedAtTheFirstUnknownKey) {
+  std::string text = "l0: &l0 {a: 1, b: 1, c: 1, d: 1, e: 1, f: 1, g: 1, h: 1, i: 1}\n";
+  for (int level = 1; level < 10; ++level) {
+    const std::string name = "l" + std::to_string(level), below = "*l" + std::to_string(level - 1);
+    text += name + ": &" + name + " {";
+    for (char key = 'a'; key <= 'i'; ++key) text += std::string(1, key) + ": " + below + ", ";
+    text += "}\n";
+  }
+  expect_complaint(text, {"unknown key l0.a"});
+  expect_complaint("scan: {x: 1}\n" + text, {"unknown key scan.x"});
+}
+
+TEST_F(ConfigFile, MayUseAliases) {
+  const ModelerConfig config = load_config(
+      write("association: {slam: &gates {angle_deg: 5, distance_m: 0.5}, corrected: *gates}"));
+  EXPECT_EQ(5.0, config.association.corrected.angle_deg);
+  EXPECT_EQ(0.5, config.association.corrected.distance_m);
+}
+
+TEST_F(ConfigFile, TakesNumbersAsYamlWritesThem) {
+  for (const char* number : {"0.5", "+0.5", ".5", "5e-1", "5.E-1", "'0.5'"}) {
+    const auto text = std::string("surface: {cell_size_m: ") + number + "}";
+    EXPECT_EQ(0.5, load_config(write(text)).surface.cell_size_m) << number;
+  }
+  for (const char* text : {"'0,5'", "0.5 m", "1e999", "0x1p-1", "\"\"", "[0.5]", "~"}) {
+    expect_complaint(std::string("surface: {cell_size_m: ") + text + "}", {"must be a number"});
+  }
+  expect_complaint("ribbon: {min_points: 99999999999}", {"ribbon.min_points must be a number"});
+}
+
+TEST_F(ConfigFile, WithLongNamesIsRefusedInFewWords) {
+  for (const std::size_t length : {1000u, 2'000'000u}) {
+    const std::string words = complaint_about(write(std::string(length, 'x') + ": 1"));
+    EXPECT_NE(std::string::npos, words.find("my.yaml: ")) << words.substr(0, 100);
+    EXPECT_LT(words.size(), 3000u);
+  }
+}
+
 TEST_F(ConfigFile, WithoutSectionsAndKeysIsRefused) {
   expect_complaint("- 1\n- 2\n", {"sections with keys"});
   expect_complaint("just words", {"sections with keys"});

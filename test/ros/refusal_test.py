@@ -48,12 +48,14 @@ class Refusal(unittest.TestCase):
         self.refuse_config('scan: {range_sigma_m: -1}\n', 'range_sigma_m')
         self.refuse_config('scan: {range_sigma_m: wide}\n', 'range_sigma_m')
         self.refuse_config('scan: [1, 2\n')
+        self.refuse_config('scan: &a {scan: *a}\n', 'unknown key scan.scan')
 
     def test_unknown_or_bad_parameters_of_the_modeler(self):
         self.refuse('modeler', [PR2, '_no_such:=1'], '/no_such', 'is unknown', '~transform_timeout')
         self.refuse('modeler', [PR2, '_transform_timeout:=-1'], '/transform_timeout', '0.1 to 60')
         self.refuse('modeler', [PR2, '_transform_timeout:=soon'], 'must be a number')
         self.refuse('modeler', [PR2, '_map_frame:=7'], 'must be a text')
+        self.refuse('modeler', [PR2, '_output_dir:='], '/output_dir', 'is empty: set it to a folder')
 
     def test_unknown_or_bad_parameters_of_the_correction(self):
         self.refuse('correction', ['_no_such:=1'], '/no_such', 'is unknown')

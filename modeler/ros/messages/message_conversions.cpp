@@ -144,7 +144,7 @@ std::vector<StampedPose> trajectory_of(const nav_msgs::Path& path, const std::st
     const geometry_msgs::PoseStamped& message = path.poses[i];
     if (!message.header.frame_id.empty()) require_frame(message.header.frame_id, frame);
     const std::optional<Pose> pose = pose_of(message.pose);
-    if (!pose) refuse(i, "is not finite or its quaternion is not of length 1");
+    if (!pose) refuse(i, "is not finite, lies beyond 1e9 m, or its quaternion is not of length 1");
     const Time stamp = time_of(message.header.stamp);
     if (i > 0 && stamp <= trajectory.back().stamp) {
       refuse(i, path.poses.front().header.stamp == path.poses.back().header.stamp

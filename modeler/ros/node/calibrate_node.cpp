@@ -8,15 +8,17 @@
 #include <filesystem>
 
 #include "modeler/calibration/calibration.hpp"
-#include "modeler/io/atomic_file.hpp"
 #include "modeler/io/calibrated_preset.hpp"
 #include "modeler/io/config_file.hpp"
+#include "modeler/program/run_program.hpp"
 #include "modeler/ros/intake/clock_guard.hpp"
 #include "modeler/ros/intake/line_intake.hpp"
 #include "modeler/ros/intake/tf_feed.hpp"
 #include "modeler/ros/messages/message_conversions.hpp"
 #include "modeler/ros/messages/transform_entry.hpp"
 #include "modeler/ros/node/strict_parameters.hpp"
+#include "modeler/storage/atomic_file.hpp"
+#include "modeler/storage/disk.hpp"
 
 namespace ribbon_mapper {
 namespace {
@@ -160,12 +162,9 @@ class CalibrateNode {
 int main(int argc, char** argv) {
   ros::init(argc, argv, "calibrate");
   const ros::NodeHandle keeps_logging_up;
-  try {
+  return ribbon_mapper::run_program("calibrate", [] {  // rosconsole may be down at its end
     ribbon_mapper::CalibrateNode node(ribbon_mapper::NodeParameters::read());
     ros::spin();
     return node.is_done() ? 0 : 1;
-  } catch (const std::exception& error) {
-    std::fprintf(stderr, "calibrate: %s\n", error.what());  // rosconsole may be down by now
-    return 1;
-  }
+  });
 }

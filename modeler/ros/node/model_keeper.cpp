@@ -3,6 +3,7 @@
 #include "modeler/ros/node/model_keeper.hpp"
 
 #include "modeler/program/stopwatch.hpp"
+#include "modeler/scan/scan_line.hpp"
 
 namespace ribbon_mapper {
 
@@ -11,7 +12,7 @@ void ModelKeeper::add(const ReadyLine& line) {
   const double seconds =
       wall_seconds_of([&] { result = modeler_.add_scan_line(line.beams, line.poses); });
   if (result == LineResult::malformed || result == LineResult::out_of_order) {
-    log_.dropped(to_string(result));
+    log_.dropped(to_string(result), find_defect(line.beams, line.poses).value_or(""));
     return;
   }
   log_.handled(to_string(result), seconds);

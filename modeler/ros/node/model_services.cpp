@@ -49,14 +49,14 @@ GetModel::Response model_response(const GetModel::Request& request, ModelKeeper&
 }
 
 Save::Response save_response(const std::string& name, ModelKeeper& keeper,
-                             const std::filesystem::path& directory) {
+                             const std::filesystem::path& directory, const std::string& frame) {
   Save::Response response;
   try {
     check_save_name(name);
     const std::vector<Plane>& planes = keeper.planes();
     response.message = std::to_string(planes.size()) + " planes written to";
     for (const std::filesystem::path& file :
-         save_model(planes, directory, name, keeper.stripe_gap_m()))
+         save_model(planes, directory, name, keeper.stripe_gap_m(), frame))
       response.message += " " + file.string();
     response.success = true;
   } catch (const std::exception& error) {

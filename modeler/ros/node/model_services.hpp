@@ -20,6 +20,6 @@ GetModel::Response model_response(const GetModel::Request& request, ModelKeeper&
 /// Writes the final planes as files below `directory` and returns the answer to ~save. Errors are
 /// part of the answer.
 Save::Response save_response(const std::string& name, ModelKeeper& keeper,
-                             const std::filesystem::path& directory);
+                             const std::filesystem::path& directory, const std::string& frame);
 
 }  // namespace ribbon_mapper

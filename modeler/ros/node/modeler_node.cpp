@@ -45,7 +45,8 @@ struct NodeParameters {
     p.tf_cache_s = from.number("tf_cache", 120.0, 10.0, 3600.0);
     p.tf_drop_frames = frames_from(from.text("tf_drop_frames", ""));
     p.on_time_jump = on_time_jump_from(from.text("on_time_jump", "reset"));
-    p.output_dir = std::filesystem::absolute(from.text("output_dir", "models"));
+    p.output_dir = std::filesystem::absolute(
+        from.filled_text("output_dir", "models", "a folder for saved models"));
     from.refuse_unknown();
     p.config = load_config(config);
     return p;
@@ -150,7 +151,8 @@ bool ModelerNode::on_reset(std_srvs::Trigger::Request&, std_srvs::Trigger::Respo
 }
 
 bool ModelerNode::on_save(Save::Request& request, Save::Response& response) {
-  response = save_response(request.name, keeper_, parameters_.output_dir);
+  response =
+      save_response(request.name, keeper_, parameters_.output_dir, parameters_.intake.frames.map);
   if (!response.success) ROS_ERROR("Not saved: %s", response.message.c_str());
   return true;
 }

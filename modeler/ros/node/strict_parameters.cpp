@@ -47,6 +47,13 @@ std::string StrictParameters::required_text(const std::string& key, const std::s
   return value;
 }
 
+std::string StrictParameters::filled_text(const std::string& key, const std::string& fallback,
+                                          const std::string& meaning) {
+  std::string value = text(key, fallback);
+  if (value.empty()) refuse(full_name(key), "is empty: set it to " + meaning);
+  return value;
+}
+
 double StrictParameters::number(const std::string& key, double fallback, double min, double max) {
   const std::string name = full_name(key);
   XmlRpcValue value;

@@ -14,6 +14,10 @@ class StrictParameters {
  public:
   /// Returns a text parameter, or `fallback` if it is not set.
   std::string text(const std::string& key, const std::string& fallback);
+  /// Returns a text parameter, or `fallback` if it is not set. Throws if it is empty; the error
+  /// says what it means.
+  std::string filled_text(const std::string& key, const std::string& fallback,
+                          const std::string& meaning);
   /// Returns a text parameter. Throws if it is not set; the error says what it means.
   std::string required_text(const std::string& key, const std::string& meaning);
   /// Returns a number from `min` to `max`, or `fallback` if it is not set. Integers are accepted.

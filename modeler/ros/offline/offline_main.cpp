@@ -7,12 +7,11 @@
 
 #include <chrono>
 #include <cstdio>
-#include <exception>
 
-#include "modeler/io/atomic_file.hpp"
-#include "modeler/program/figure.hpp"
 #include "modeler/program/progress_bar.hpp"
+#include "modeler/program/run_program.hpp"
 #include "modeler/ros/offline/offline_run.hpp"
+#include "modeler/storage/disk.hpp"
 
 namespace {
 
@@ -38,24 +37,19 @@ void run(const OfflineOptions& options) {
     ProgressBar bar;
     run = model_bags(options, [&](const Progress& progress) { bar.show(progress); });
   }
-  write_model(run, options.output);
   add_cost(start, run.summary);
-  write_file_atomically(options.output / "summary.json", summary_to_json(run.summary));
-  if (options.with_figure) draw_figure(Figure::model_views, options.output);
+  write_model(run, options.output, options.with_figure);
   std::printf("%sresults in %s\n", summary_text(run.summary).c_str(), options.output.c_str());
 }
 
 }  // namespace
 
 int main(int argc, char** argv) {
-  const auto options = parse_offline_options(argc, argv);
-  if (const int* exit_code = std::get_if<int>(&options)) return *exit_code;
-  try {
+  return run_program("offline_modeler", [&] {
+    const auto options = parse_offline_options(argc, argv);
+    if (const int* exit_code = std::get_if<int>(&options)) return *exit_code;
     ros::Time::init();
     run(std::get<OfflineOptions>(options));
     return 0;
-  } catch (const std::exception& error) {
-    std::fprintf(stderr, "offline_modeler: %s\n", error.what());
-    return 1;
-  }
+  });
 }

@@ -6,13 +6,14 @@
 #include <stdexcept>
 
 #include "modeler/assembly/model_quality.hpp"
-#include "modeler/io/atomic_file.hpp"
 #include "modeler/io/config_file.hpp"
 #include "modeler/io/planes_json.hpp"
 #include "modeler/io/save.hpp"
 #include "modeler/io/tum.hpp"
+#include "modeler/program/figure.hpp"
 #include "modeler/program/installed_files.hpp"
 #include "modeler/ros/node/model_keeper.hpp"
+#include "modeler/storage/file_set.hpp"
 #include "modeler/surface/outline.hpp"
 
 namespace ribbon_mapper {
@@ -43,6 +44,7 @@ void require_lines(const ModelKeeper& keeper) {
   for (const auto& [outcome, count] : log.handled_by_outcome()) {
     why += "\n  " + std::to_string(count) + " x " + outcome;
   }
+  if (!log.newest_drop().empty()) why += "\nthe last one: " + log.newest_drop();
   throw std::runtime_error(why + "\n`bag_check` says more");
 }
 
@@ -110,16 +112,24 @@ OfflineRun model_bags(const OfflineOptions& options, const ProgressCallback& pro
   if (!poses.empty()) keeper.correct(poses);
   run.planes_after = keeper.planes();
   run.stripe_gap_m = config.surface.stripe_gap_m;
+  run.frame = options.bag.intake.frames.map;
   run.trajectory = keeper.modeler().trajectory();
   describe(keeper, config.surface, run);
   return run;
 }
 
-void write_model(const OfflineRun& run, const std::filesystem::path& directory) {
-  create_directory_for_files(directory);
-  write_file_atomically(directory / "planes_before.json", planes_to_json(run.planes_before));
-  write_file_atomically(directory / "trajectory.tum", to_tum(run.trajectory));
-  save_model(run.planes_after, directory, "planes_after", run.stripe_gap_m);
+void write_model(const OfflineRun& run, const std::filesystem::path& directory, bool with_figure) {
+  ModelLabel label;
+  label.frame = run.frame;
+  label.run = run_id_of({planes_to_json(run.planes_before, label),
+                         planes_to_json(run.planes_after, label), to_tum(run.trajectory)});
+  FileSet files(directory, kResultsSet);
+  files.add("planes_before.json", planes_to_json(run.planes_before, label));
+  files.add("trajectory.tum", to_tum(run.trajectory, label.run));
+  files.add("summary.json", summary_to_json(run.summary, label.run));
+  add_model(run.planes_after, label, "planes_after", run.stripe_gap_m, files);
+  if (with_figure) draw_figure(Figure::model_views, files.folder(), directory);
+  files.commit();
 }
 
 }  // namespace ribbon_mapper

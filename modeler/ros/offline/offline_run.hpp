@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <string>
 #include <vector>
 
 #include "modeler/program/progress.hpp"
@@ -18,6 +19,7 @@ struct OfflineRun {
   std::vector<Plane> planes_before;                    ///< recorded poses, as built on the way
   std::vector<Plane> planes_after;                     ///< the final model
   double stripe_gap_m = SurfaceConfig{}.stripe_gap_m;  ///< as configured, for the mesh
+  std::string frame = "map";                           ///< frame of the model
   std::vector<StampedPose> trajectory;                 ///< acquisition poses of the final model
 };
 
@@ -26,8 +28,10 @@ struct OfflineRun {
 /// no line could be modelled.
 OfflineRun model_bags(const OfflineOptions& options, const ProgressCallback& progress);
 
-/// Writes the files of the model, but not the summary. Each file is written completely or not at
-/// all.
-void write_model(const OfflineRun& run, const std::filesystem::path& directory);
+/// Writes the files of the model and the summary, and draws model_views.png if asked to. They are
+/// one set, see FileSet, and state the same run. Throws std::runtime_error with the file, the
+/// reason and a remedy.
+void write_model(const OfflineRun& run, const std::filesystem::path& directory,
+                 bool with_figure = false);
 
 }  // namespace ribbon_mapper

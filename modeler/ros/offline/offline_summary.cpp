@@ -3,6 +3,7 @@
 #include "modeler/ros/offline/offline_summary.hpp"
 
 #include <iomanip>
+#include <locale>
 #include <nlohmann/json.hpp>
 #include <sstream>
 
@@ -20,10 +21,11 @@ double real_time_factor(const OfflineSummary& summary) {
   return summary.wall_s > 0.0 ? summary.recording_s / summary.wall_s : 0.0;
 }
 
-std::string summary_to_json(const OfflineSummary& s) {
+std::string summary_to_json(const OfflineSummary& s, const std::string& run_id) {
   using Json = nlohmann::ordered_json;
   const Json none = Json::object();
   const Json json{
+      {"run", run_id},
       {"bags", s.bags},
       {"config", s.config},
       {"scan_topic", s.scan_topic},
@@ -49,6 +51,7 @@ std::string summary_to_json(const OfflineSummary& s) {
 
 std::string summary_text(const OfflineSummary& s) {
   std::ostringstream text;
+  text.imbue(std::locale::classic());
   text << std::fixed << std::setprecision(1);
   text << s.lines << " lines, " << dropped_total(s) << " dropped, " << s.ribbons << " ribbons\n";
   for (const auto& [reason, count] : s.dropped_lines) {

@@ -28,7 +28,7 @@ struct OfflineSummary {
   std::optional<double> residual_m_median;           ///< of these points, see median_residual_m()
 
   double recording_s = 0.0;      ///< from the first line to the last
-  double wall_s = 0.0;           ///< elapsed time, reading and writing included
+  double wall_s = 0.0;           ///< elapsed time, reading included
   double cpu_s = 0.0;            ///< user and system time
   double peak_memory_mib = 0.0;  ///< resident
 };
@@ -36,11 +36,11 @@ struct OfflineSummary {
 /// Returns the number of lines dropped for any reason.
 std::size_t dropped_total(const OfflineSummary& summary);
 
-/// Returns the seconds of recording per second of elapsed time, reading and writing included.
+/// Returns the seconds of recording per second of elapsed time, reading included.
 double real_time_factor(const OfflineSummary& summary);
 
-/// Returns the summary as a JSON object.
-std::string summary_to_json(const OfflineSummary& summary);
+/// Returns the summary as a JSON object with the id of the run.
+std::string summary_to_json(const OfflineSummary& summary, const std::string& run_id);
 
 /// Returns a few lines for a terminal.
 std::string summary_text(const OfflineSummary& summary);

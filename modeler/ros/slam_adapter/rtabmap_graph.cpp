@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <stdexcept>
 
 #include "modeler/ros/slam_adapter/wire_reader.hpp"
@@ -32,6 +33,11 @@ Columns read(const std::string& definition, const std::uint8_t* data, std::size_
   return columns;
 }
 
+int id_of(double number) {
+  if (std::abs(number) <= std::numeric_limits<int>::max()) return static_cast<int>(number);
+  throw std::invalid_argument("an id is no number of 32 bits");
+}
+
 std::map<int, Pose> poses_in(Columns& columns, const std::string& prefix) {
   const std::vector<double>& ids = columns[prefix + "posesId"];
   std::map<int, Pose> poses;
@@ -44,8 +50,8 @@ std::map<int, Pose> poses_in(Columns& columns, const std::string& prefix) {
     }
     const Eigen::Quaterniond rotation(v[3], v[4], v[5], v[6]);
     if (!(std::abs(rotation.norm() - 1.0) < 0.01)) continue;
-    poses[static_cast<int>(ids[i])] =
-        Eigen::Translation3d(v[0], v[1], v[2]) * rotation.normalized();
+    const Pose pose(Eigen::Translation3d(v[0], v[1], v[2]) * rotation.normalized());
+    if (is_valid(pose)) poses[id_of(ids[i])] = pose;
   }
   return poses;
 }
@@ -56,8 +62,7 @@ void RtabmapGraph::take(const std::string& definition, const std::uint8_t* data,
   Columns columns = read(definition, data, size);
   const std::vector<double>&ids = columns["nodes.id"], &stamps = columns["nodes.stamp"];
   for (std::size_t i = 0; i < std::min(ids.size(), stamps.size()); ++i) {
-    if (stamps[i] > 0.0 && stamps[i] < 4e9)
-      stamps_[static_cast<int>(ids[i])] = from_seconds(stamps[i]);
+    if (stamps[i] > 0.0 && stamps[i] < 4e9) stamps_[id_of(ids[i])] = from_seconds(stamps[i]);
   }
   const bool has_nodes = !columns["graph.posesId"].empty();
   std::map<int, Pose> poses = poses_in(columns, has_nodes ? "graph." : "");

@@ -2,18 +2,44 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "modeler/ros/slam_adapter/wire_reader.hpp"
 
+#include <algorithm>
+#include <charconv>
 #include <cstring>
 #include <sstream>
 #include <stdexcept>
+#include <system_error>
+#include <utility>
 
 namespace ribbon_mapper {
 namespace {
 
+constexpr const char* kText = "string";
+constexpr int kDeepest = 32;                              // types within types; those of ROS have 5
+constexpr std::size_t kMostBytes = std::size_t{1} << 40;  // beyond any message
+
+[[noreturn]] void refuse(const std::string& why) {
+  throw std::invalid_argument("the definition " + why.substr(0, 300));
+}
+
+/// Returns a * b, or kMostBytes if that is less.
+std::size_t limited_product(std::size_t a, std::size_t b) {
+  return b != 0 && a > kMostBytes / b ? kMostBytes : a * b;
+}
+
+std::size_t array_length(const std::string& digits) {
+  std::uint32_t length = 0;
+  const char* const end = digits.data() + digits.size();
+  const auto [at, error] = std::from_chars(digits.data(), end, length);
+  if (error != std::errc() || at != end) refuse("has the array length '" + digits + "'");
+  return length;
+}
+
+/// Returns the smallest size of each type that is not made of others [bytes].
 const std::map<std::string, std::size_t>& primitive_sizes() {
   static const std::map<std::string, std::size_t> kSizes{
-      {"bool", 1},   {"byte", 1},    {"char", 1},    {"int8", 1},   {"uint8", 1},
-      {"int16", 2},  {"uint16", 2},  {"int32", 4},   {"uint32", 4}, {"int64", 8},
-      {"uint64", 8}, {"float32", 4}, {"float64", 8}, {"time", 8},   {"duration", 8}};
+      {"bool", 1},    {"byte", 1},  {"char", 1},     {"int8", 1},  {"uint8", 1},  {"int16", 2},
+      {"uint16", 2},  {"int32", 4}, {"uint32", 4},   {"int64", 8}, {"uint64", 8}, {"float32", 4},
+      {"float64", 8}, {"time", 8},  {"duration", 8}, {kText, 4}};  // its length
   return kSizes;
 }
 
@@ -46,12 +72,16 @@ class WireReader::Cursor {
   Cursor(const std::uint8_t* data, std::size_t size) : data_(data), left_(size) {}
 
   const std::uint8_t* take(std::size_t bytes) {
-    if (bytes > left_) throw std::invalid_argument("the message is shorter than its definition");
+    require(bytes);
     const std::uint8_t* here = data_;
     data_ += bytes, left_ -= bytes;
     return here;
   }
   std::size_t take_length() { return static_cast<std::size_t>(as<std::uint32_t>(take(4))); }
+
+  void require(std::size_t bytes) const {
+    if (bytes > left_) throw std::invalid_argument("the message is shorter than its definition");
+  }
 
  private:
   const std::uint8_t* data_;
@@ -61,53 +91,89 @@ class WireReader::Cursor {
 WireReader::WireReader(const std::string& definition) {
   std::istringstream lines(definition);
   std::string type;
+  types_[type];
   for (std::string line; std::getline(lines, line);) {
     if (line.rfind("MSG: ", 0) == 0) {
       type = line.substr(5);
-      types_[type];
+      if (!types_.try_emplace(type).second) refuse("defines the type " + type + " twice");
     } else if (line.rfind("====", 0) != 0) {
       parse_line(std::move(line), type);
     }
   }
+  if (types_.at("").empty()) refuse("is empty");
+  resolve("", 0);
 }
 
 void WireReader::parse_line(std::string line, const std::string& type) {
-  if (line.find('=') != std::string::npos) return;  // a constant
   line = line.substr(0, line.find('#'));
+  if (line.find('=') != std::string::npos) return;  // a constant
   std::istringstream words(line);
   Field field;
   if (!(words >> field.type)) return;
-  if (!(words >> field.name)) throw std::invalid_argument("no field name in '" + line + "'");
+  if (!(words >> field.name)) refuse("has no field name in '" + line + "'");
   const std::size_t bracket = field.type.find('[');
   if (bracket != std::string::npos) {
     field.is_array = true;
+    if (field.type.back() != ']') refuse("has no ']' in '" + line + "'");
     const std::string length = field.type.substr(bracket + 1, field.type.size() - bracket - 2);
-    if (!length.empty()) field.length = std::stoi(length);
+    if (!length.empty()) field.length = array_length(length);
     field.type.resize(bracket);
   }
   types_[type].push_back(field);
 }
 
-std::string WireReader::full_name(const std::string& type) const {
-  if (type == "Header") return "std_msgs/Header";
-  if (types_.count(type) != 0) return type;
+/// Returns the full name of a type that a field of the type `user` names. As in ROS, a name without
+/// a package means the package of the user; publishers differ in that, so any package will do.
+std::string WireReader::full_name(const std::string& type, const std::string& user) const {
+  const std::string header = "std_msgs/Header", beside = user.substr(0, user.find('/') + 1) + type;
+  if (type == "Header" && types_.count(header) != 0) return header;
+  for (const std::string& name : {type, beside}) {
+    if (!name.empty() && types_.count(name) != 0) return name;
+  }
   for (const auto& [name, fields] : types_) {
     const std::size_t slash = name.find('/');
     if (slash != std::string::npos && name.substr(slash + 1) == type) return name;
   }
-  throw std::invalid_argument("the definition lacks the type " + type);
+  refuse("lacks the type " + type);
+}
+
+/// Gives the fields of a type, and of all types that it uses, their full type names and sizes, and
+/// removes those without any content. Returns the smallest size of the type. Each field that is
+/// left takes a byte of the message at least, so that reading ends after as many steps.
+std::size_t WireReader::resolve(const std::string& type, int depth) {
+  const auto resolved = min_bytes_.find(type);
+  if (resolved != min_bytes_.end()) return resolved->second;
+  if (depth > kDeepest) refuse("has types within types without end; the type " + type + " is one");
+  std::vector<Field> fields;
+  std::size_t bytes = 0;
+  for (Field field : types_.at(type)) {
+    const auto primitive = primitive_sizes().find(field.type);
+    if (primitive != primitive_sizes().end()) {
+      field.min_bytes = primitive->second;
+    } else {
+      field.type = full_name(field.type, type);
+      field.min_bytes = resolve(field.type, depth + 1);
+    }
+    const bool has_length = field.is_array && !field.length;
+    const std::size_t least =
+        has_length ? 4 : limited_product(field.length.value_or(1), field.min_bytes);
+    if (least == 0) continue;
+    bytes = std::min(kMostBytes, bytes + least);
+    fields.push_back(std::move(field));
+  }
+  types_[type] = std::move(fields);
+  return min_bytes_[type] = bytes;
 }
 
 void WireReader::read(const std::uint8_t* data, std::size_t size, const Visitor& visit) const {
   Cursor cursor(data, size);
+  cursor.require(min_bytes_.at(""));
   read_type("", "", cursor, visit);
 }
 
 void WireReader::read_type(const std::string& type, const std::string& path, Cursor& cursor,
                            const Visitor& visit) const {
-  const auto fields = types_.find(type);
-  if (fields == types_.end()) throw std::invalid_argument("the definition is empty");
-  for (const Field& field : fields->second) {
+  for (const Field& field : types_.at(type)) {
     read_field(field, path.empty() ? field.name : path + "." + field.name, cursor, visit);
   }
 }
@@ -115,27 +181,22 @@ void WireReader::read_type(const std::string& type, const std::string& path, Cur
 void WireReader::read_field(const Field& field, const std::string& path, Cursor& cursor,
                             const Visitor& visit) const {
   std::size_t count = 1;
-  if (field.is_array) {
-    count = field.length >= 0 ? static_cast<std::size_t>(field.length) : cursor.take_length();
-  }
-  const auto size = primitive_sizes().find(field.type);
-  if (size != primitive_sizes().end()) {
-    if (field.is_array && size->second == 1) {
-      cursor.take(count);
-      return;
-    }
-    for (std::size_t i = 0; i < count; ++i) {
-      visit(path, number_of(field.type, cursor.take(size->second)));
-    }
+  if (field.is_array) count = field.length ? *field.length : cursor.take_length();
+  if (field.min_bytes == 0) return;  // whatever the count
+  cursor.require(limited_product(count, field.min_bytes));
+  if (field.is_array && field.min_bytes == 1 && primitive_sizes().count(field.type) != 0) {
+    cursor.take(count);
     return;
   }
-  if (field.type == "string") {
-    for (std::size_t i = 0; i < count; ++i) cursor.take(cursor.take_length());
-    return;
+  for (std::size_t i = 0; i < count; ++i) {
+    if (field.type == kText) {
+      cursor.take(cursor.take_length());
+    } else if (primitive_sizes().count(field.type) != 0) {
+      visit(path, number_of(field.type, cursor.take(field.min_bytes)));
+    } else {
+      read_type(field.type, path, cursor, visit);
+    }
   }
-  const std::string type = full_name(field.type);
-  if (types_.at(type).empty()) return;  // else a wrong count would cost much time
-  for (std::size_t i = 0; i < count; ++i) read_type(type, path, cursor, visit);
 }
 
 }  // namespace ribbon_mapper

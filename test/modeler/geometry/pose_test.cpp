@@ -7,6 +7,8 @@
 #include <limits>
 #include <random>
 
+#include "modeler/geometry/pose_defect.hpp"
+
 namespace ribbon_mapper {
 namespace {
 
@@ -89,6 +91,16 @@ TEST(IsValid, AcceptsOnlyFiniteRigidTransforms) {
   Pose mirror = Pose::Identity();
   mirror.linear()(0, 0) = -1.0;
   EXPECT_FALSE(is_valid(mirror));
+}
+
+TEST(FindDefect, NamesWhatIsWrongWithAPose) {
+  EXPECT_EQ(std::nullopt, find_defect(planar_pose(1e9, -1e9, 1.0)));
+  EXPECT_EQ("lies more than 1e9 m from the origin", find_defect(planar_pose(0.0, -1.1e9, 1.0)));
+  EXPECT_EQ("lies more than 1e9 m from the origin", find_defect(planar_pose(1e19, 0.0, 1.0)));
+  EXPECT_EQ("is not finite", find_defect(planar_pose(1e309, 0.0, 1.0)));
+  Pose flat = Pose::Identity();
+  flat.linear().setZero();
+  EXPECT_EQ("is not rigid", find_defect(flat));
 }
 
 }  // namespace

@@ -115,6 +115,18 @@ TEST(Observations, RemoveLinesWithoutRibbonsWhenThinned) {
   }
 }
 
+TEST(Observations, MoveToAnotherTrajectoryOfTheSameLines) {
+  Observations observations = observations_of(3);
+  Trajectory trajectory = observations.trajectory();
+  trajectory.correct({{pose_of(0).in_map.stamp, planar_pose(0.0, 7.0, 0.0)}});
+  EXPECT_NEAR(0.5, observations.posed().ribbon(0).centroid.x(), 1e-5);
+  EXPECT_NEAR(7.0, observations.posed_at(trajectory).T_map_model().translation().y(), 1e-9);
+  EXPECT_NEAR(0.0, observations.posed().T_map_model().translation().y(), 1e-9);
+  observations.move_to(std::move(trajectory));
+  EXPECT_NEAR(7.0, observations.posed().T_map_model().translation().y(), 1e-9);
+  expect_in_step(observations);
+}
+
 TEST(Observations, ReleaseTheMemoryOfWhatWasRemoved) {
   Observations observations = observations_of(20);
   const std::size_t before = observations.memory_bytes();

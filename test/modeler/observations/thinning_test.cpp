@@ -56,6 +56,21 @@ TEST(Thinned, KeepsALongRibbonThatSeesMoreThanOthers) {
   EXPECT_EQ(0u, kept.front());
 }
 
+/// Each removal counts: where most ribbons were, no fewer are left than elsewhere.
+TEST(Thinned, EvensOutHowOftenPlacesAreSeen) {
+  Scene scene;
+  const std::vector<std::size_t> visits{40, 25, 10};
+  for (std::size_t place = 0; place < visits.size(); ++place) {
+    const Vector begin(0.0, 5.0 * static_cast<double>(place), 0.0);
+    for (std::size_t visit = 0; visit < visits[place]; ++visit) {
+      scene.ribbons.push_back(ribbon_between(begin, begin + kX, kZ));
+    }
+  }
+  const auto kept = thinned(scene.observations(), 50);
+  EXPECT_EQ(20u, count_before(kept, 40));
+  EXPECT_EQ(40u, count_before(kept, 65));
+}
+
 TEST(Thinned, EmptiesNoAreaWhereNothingIsSeenTwice) {
   Scene scene;
   constexpr std::size_t kStretches = 6, kRibbonsOfEach = 60;

@@ -71,7 +71,18 @@ TEST(FindDefect, FindsEachBadPose) {
     poses = {};
     (poses.*pose).linear().setZero();  // a quaternion of zeros
     EXPECT_TRUE(find_defect(good_beams(), poses));
+    poses = {};
+    (poses.*pose).translation().y() = -1e19;
+    EXPECT_EQ("a pose lies more than 1e9 m from the origin", find_defect(good_beams(), poses));
   }
+}
+
+TEST(FindDefect, FindsAJumpOfOdometryWithinALine) {
+  LinePoses poses;
+  poses.T_odom_base_first = poses.T_odom_base_last = planar_pose(5e5, 5.3e6, 0.0);
+  EXPECT_FALSE(find_defect(good_beams(), poses));
+  poses.T_odom_base_first = Pose::Identity();
+  EXPECT_EQ("odometry jumps by more than 100 m within the line", find_defect(good_beams(), poses));
 }
 
 }  // namespace

@@ -1,35 +1,24 @@
 // SPDX-FileCopyrightText: 2026 ribbon_mapper authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "modeler/io/atomic_file.hpp"
+#include "modeler/storage/atomic_file.hpp"
 
+#include <fcntl.h>
 #include <gmock/gmock.h>
-#include <sys/resource.h>
 
-#include <csignal>
+#include <thread>
+#include <vector>
 
+#include "modeler/storage/disk.hpp"
 #include "test/io/temporary_directory.hpp"
+#include "test/storage/full_disk.hpp"
 
 namespace ribbon_mapper {
 namespace {
 
+namespace fs = std::filesystem;
 using testing::AllOf;
 using testing::HasSubstr;
 using testing::ThrowsMessage;
-
-/// Limits the size of files during its lifetime, as a full disk does.
-class FullDisk {
- public:
-  explicit FullDisk(rlim_t bytes) {
-    std::signal(SIGXFSZ, SIG_IGN);
-    getrlimit(RLIMIT_FSIZE, &before_);
-    const rlimit limit{bytes, before_.rlim_max};
-    setrlimit(RLIMIT_FSIZE, &limit);
-  }
-  ~FullDisk() { setrlimit(RLIMIT_FSIZE, &before_); }
-
- private:
-  rlimit before_{};
-};
 
 TEST(AtomicFile, WritesEveryByte) {
   const TemporaryDirectory directory;
@@ -46,14 +35,6 @@ TEST(AtomicFile, ReplacesAnOlderFile) {
   EXPECT_EQ(content_of(directory.path() / "file"), "new");
 }
 
-TEST(AtomicFile, WithoutCommitTheOldFileStays) {
-  const TemporaryDirectory directory;
-  write_file_atomically(directory.path() / "file", "old");
-  { const StagedFile staged(directory.path() / "file", "new"); }
-  EXPECT_EQ(content_of(directory.path() / "file"), "old");
-  EXPECT_EQ(directory.file_count(), 1U);
-}
-
 TEST(AtomicFile, FullDiskIsReportedAndLeavesTheOldFileWhole) {
   const TemporaryDirectory directory;
   write_file_atomically(directory.path() / "file", "old");
@@ -68,17 +49,49 @@ TEST(AtomicFile, FullDiskIsReportedAndLeavesTheOldFileWhole) {
   EXPECT_EQ(directory.file_count(), 1U);
 }
 
-TEST(AtomicFile, LeftoversOfACrashDoNotMatter) {
+/// A hundred of them once ended saving.
+TEST(AtomicFile, LeftoversOfCrashesAreRemoved) {
   const TemporaryDirectory directory;
-  std::ofstream(directory.path() / ".file.tmp0") << "half";
+  for (int i = 0; i < 100; ++i) {
+    std::ofstream(directory.path() / (".file.tmp" + std::to_string(i))) << "half, and longer";
+  }
   write_file_atomically(directory.path() / "file", "new");
   EXPECT_EQ(content_of(directory.path() / "file"), "new");
+  EXPECT_EQ(directory.file_count(), 1U);
+}
+
+TEST(AtomicFile, TheTemporaryFileOfAnotherProcessIsLeftAlone) {
+  const TemporaryDirectory directory;
+  const fs::path temporary = directory.path() / ".file.tmp0";
+  const Descriptor of_another = open_locked(temporary, O_WRONLY | O_CREAT);
+  ASSERT_TRUE(of_another.is_open());
+  write_file_atomically(directory.path() / "file", "new");
+  EXPECT_EQ(content_of(directory.path() / "file"), "new");
+  EXPECT_TRUE(fs::exists(temporary));
+}
+
+TEST(AtomicFile, OfSeveralWritersOneWinsAndNothingIsLeft) {
+  const TemporaryDirectory directory;
+  std::vector<std::thread> writers;
+  for (const char byte : {'a', 'b', 'c', 'd'}) {
+    writers.emplace_back([&directory, byte] {
+      for (int i = 0; i < 25; ++i) {
+        write_file_atomically(directory.path() / "file", std::string(1000, byte));
+      }
+    });
+  }
+  for (std::thread& writer : writers) writer.join();
+  const std::string content = content_of(directory.path() / "file");
+  EXPECT_EQ(content, std::string(1000, content.at(0)));
+  EXPECT_EQ(directory.file_count(), 1U);
 }
 
 TEST(AtomicFile, NamesTheMissingDirectory) {
   EXPECT_THAT([] { write_file_atomically("/nowhere/file", "x"); },
               ThrowsMessage<std::runtime_error>(
                   AllOf(HasSubstr("/nowhere/file"), HasSubstr("No such file or directory"))));
+  EXPECT_THAT([] { create_directory_for_files(""); },
+              ThrowsMessage<std::runtime_error>(HasSubstr("directory is empty: name one")));
 }
 
 TEST(AtomicFile, AFileInTheWayOfADirectoryIsReported) {
