@@ -18,6 +18,7 @@ void LineIntake::add(const sensor_msgs::LaserScan& scan, const Moment& now) {
   admit_held(now);
   const Run run = line.defect ? Run::current : sorter_.sort(scan.header.stamp);
   if (run == Run::current) {
+    if (!line.defect) log_.missing(gaps_.saw(scan.header.seq, scan.header.stamp));
     admit(std::move(line));
   } else if (run == Run::next) {
     held_.push_back(std::move(line));
@@ -87,6 +88,7 @@ void LineIntake::restart(const std::string& reason) {
   waiting_.clear();
   waits_for_.clear();
   newest_ = done_ = Time(0);
+  gaps_.restart();
 }
 
 void LineIntake::start_next_run(const std::string& reason) {

@@ -17,9 +17,9 @@ struct LookupFailure {
 MissingTransform missing_transform(const tf2::BufferCore& tf, const std::string& target,
                                    const std::string& source, const std::string& detail) {
   for (const std::string& frame : {source, target}) {
-    if (!tf._frameExists(frame)) return {"frame " + frame + " is not in tf", detail};
+    if (!tf._frameExists(frame)) return {"frame " + shown(frame) + " is not in tf", detail};
   }
-  return {"no transform from " + source + " to " + target + " at its time", detail};
+  return {"no transform from " + shown(source) + " to " + shown(target) + " at its time", detail};
 }
 
 Pose lookup(const tf2::BufferCore& tf, const std::string& target, const std::string& source,
@@ -27,7 +27,7 @@ Pose lookup(const tf2::BufferCore& tf, const std::string& target, const std::str
   try {
     return pose_of(tf.lookupTransform(target, source, stamp_of(time)).transform);
   } catch (const tf2::TransformException& error) {
-    throw LookupFailure{missing_transform(tf, target, source, error.what())};
+    throw LookupFailure{missing_transform(tf, target, source, shown(error.what(), 300))};
   }
 }
 

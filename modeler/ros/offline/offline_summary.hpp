@@ -17,9 +17,14 @@ struct OfflineSummary {
   std::string scan_topic;         ///< of the laser
   std::string trajectory;         ///< where the poses of the final model are from
 
+  std::vector<std::string> notes;  ///< what was chosen, and what is wrong with the transforms
+
   std::size_t lines = 0;                             ///< scans received
   std::map<std::string, std::size_t> dropped_lines;  ///< by reason
   std::map<std::string, std::size_t> handled_lines;  ///< by outcome, see LineResult
+  std::size_t lost_lines = 0;           ///< before they were recorded, see LineLog::lost()
+  std::size_t repeated_transforms = 0;  ///< left out: stamped as one before
+  std::size_t refused_transforms = 0;   ///< left out: unusable
   std::size_t ribbons = 0;                           ///< in the model
   std::size_t planes_before = 0;                     ///< as built, with recorded poses
   std::size_t planes = 0;                            ///< in the final model
