@@ -103,6 +103,7 @@ TEST_F(BagLinesTest, DropsAreCountedByReason) {
 TEST_F(BagLinesTest, FramesCanBeLeftOutOfTf) {
   BagOptions options;
   options.tf_drop_frames = {"map"};
+  options.named_frames.map = true;
   const Lines found = lines_of({written(bag_)}, options);
   EXPECT_TRUE(found.lines.empty());
   EXPECT_EQ(found.log.dropped_by_reason().at("frame map is not in tf"), 200u);

@@ -6,6 +6,7 @@
 
 #include <stdexcept>
 
+#include "modeler/ros/bag/bag_message.hpp"
 #include "modeler/ros/messages/message_conversions.hpp"
 
 namespace ribbon_mapper {
@@ -23,7 +24,7 @@ BagLines::BagLines(const std::vector<std::filesystem::path>& bags, const BagOpti
       options_(options),
       scan_topic_(scan_topic_of(bags_.topics(), options.scan_topic)),
       tf_topics_(tf_topics_of(bags_.topics(), options.tf_topic, scan_topic_)),
-      transforms_(options.tf_drop_frames),
+      transforms_(options.tf_drop_frames, options.max_transforms),
       intake_(with_frames_chosen(), log),
       tf_(ros::Duration(options.tf_cache_s)) {
   transforms_.enter_fixed(tf_);
@@ -38,7 +39,7 @@ void BagLines::read_transforms() {
   for (const bool is_static : {true, false}) {
     bags_.read(is_static ? tf_topics_.fixed : tf_topics_.moving,
                [&](const rosbag::MessageInstance& message) {
-                 if (const auto tf = message.instantiate<tf2_msgs::TFMessage>())
+                 if (const auto tf = message_of<tf2_msgs::TFMessage>(message))
                    transforms_.add(*tf, is_static, time_of(message.getTime()));
                  return true;
                });
@@ -52,7 +53,7 @@ void BagLines::read_transforms() {
 void BagLines::read_again() {
   std::set<std::string> laser_frames, children;
   bags_.read({scan_topic_}, [&](const rosbag::MessageInstance& message) {
-    if (const auto scan = message.instantiate<Scan>())
+    if (const auto scan = message_of<Scan>(message))
       laser_frames.insert(without_slash(scan->header.frame_id));
     return true;
   });
@@ -64,7 +65,7 @@ void BagLines::read_again() {
   }
   transforms_.forget_moving();
   bags_.read(tf_topics_.moving, [&](const rosbag::MessageInstance& message) {
-    if (const auto tf = message.instantiate<tf2_msgs::TFMessage>())
+    if (const auto tf = message_of<tf2_msgs::TFMessage>(message))
       transforms_.add_again(*tf, children);
     return true;
   });
@@ -74,7 +75,7 @@ void BagLines::read_again() {
 void BagLines::find_laser_frame() {
   int scans = 0;
   bags_.read({scan_topic_}, [&](const rosbag::MessageInstance& message) {
-    const auto scan = message.instantiate<Scan>();
+    const auto scan = message_of<Scan>(message);
     if (!scan) return true;
     const std::string frame = without_slash(scan->header.frame_id);
     const bool is_known = transforms_.tree().has(frame);
@@ -113,7 +114,7 @@ std::optional<ReadyLine> BagLines::next() {
     for (;;) {
       if (auto line = intake_.take_next_at_end(tf_)) return line;
       if (at_ == scans_->end()) return std::nullopt;
-      const auto scan = at_->instantiate<Scan>();
+      const auto scan = message_of<Scan>(*at_);
       const Moment recorded = Moment::recorded(at_->getTime());
       ++at_;
       if (!scan) continue;

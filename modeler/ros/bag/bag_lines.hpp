@@ -28,6 +28,8 @@ struct BagOptions {
   IntakeOptions intake;                  ///< frames and times
   NamedFrames named_frames;              ///< those that tf lacks are chosen, see choose_frames()
   std::set<std::string> tf_drop_frames;  ///< see enter_transforms()
+  /// If there are more, transforms are read twice, and only those on the way to the laser are kept.
+  std::size_t max_transforms = 2'000'000;
   double tf_cache_s = 120.0;             ///< how far lookups in tf reach back
 };
 

@@ -13,8 +13,7 @@ namespace ribbon_mapper {
 namespace {
 
 const Time kJitter = from_seconds(kMinTimeJump_s);
-constexpr std::size_t kMaxStored = 2'000'000;  // 140 MB
-constexpr std::size_t kMaxStray = 5;  // stamps of another clock, before a source is set
+constexpr std::size_t kMaxStray = 5;           // stamps of another clock, before a source is set
 
 bool is_earlier(const LoggedTransform& a, const LoggedTransform& b) { return a.stamp < b.stamp; }
 
@@ -82,7 +81,7 @@ void TransformLog::add(const tf2_msgs::TFMessage& message, bool is_static, Time 
   }
 }
 
-bool TransformLog::is_full() const { return stored_ >= kMaxStored; }
+bool TransformLog::is_full() const { return stored_ >= max_transforms_; }
 
 void TransformLog::forget_moving() {
   moving_.clear();
@@ -103,11 +102,8 @@ void TransformLog::store(const geometry_msgs::TransformStamped& transform) {
   const std::uint32_t child = number_of(transform.child_frame_id);
   const auto& t = transform.transform.translation;
   const auto& q = transform.transform.rotation;
-  moving_[child].push_back({time_of(transform.header.stamp),
-                            parent,
-                            child,
-                            {t.x, t.y, t.z},
-                            {q.x, q.y, q.z, q.w}});
+  moving_[child].push_back(
+      {time_of(transform.header.stamp), parent, child, {t.x, t.y, t.z}, {q.x, q.y, q.z, q.w}});
   ++stored_;
 }
 
@@ -177,8 +173,8 @@ geometry_msgs::TransformStamped TransformLog::message_of(const LoggedTransform& 
   message.header.stamp = stamp_of(transform.stamp);
   message.header.frame_id = names_[transform.parent];
   message.child_frame_id = names_[transform.child];
-  auto &t = message.transform.translation;
-  auto &q = message.transform.rotation;
+  auto& t = message.transform.translation;
+  auto& q = message.transform.rotation;
   t.x = transform.translation[0], t.y = transform.translation[1], t.z = transform.translation[2];
   q.x = transform.rotation[0], q.y = transform.rotation[1], q.z = transform.rotation[2];
   q.w = transform.rotation[3];

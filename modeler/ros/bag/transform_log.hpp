@@ -46,15 +46,16 @@ struct LoggedLink {
 /// matter. A frame that is both static and moving moves.
 class TransformLog {
  public:
-  /// Creates an empty log. Transforms whose parent is one of `drop_frames` are left out.
-  explicit TransformLog(std::set<std::string> drop_frames = {})
-      : drop_frames_(std::move(drop_frames)) {}
+  /// Creates an empty log that keeps `max_transforms`, of 72 bytes each. Transforms whose parent is
+  /// one of `drop_frames` are left out.
+  TransformLog(std::set<std::string> drop_frames, std::size_t max_transforms)
+      : drop_frames_(std::move(drop_frames)), max_transforms_(max_transforms) {}
 
   /// Adds the transforms of a message that was recorded at a time.
   void add(const tf2_msgs::TFMessage& message, bool is_static, Time recorded);
 
-  /// Returns whether there are too many moving transforms to keep. The log then has to be told which
-  /// frames matter, and needs the messages again; the statistics are complete.
+  /// Returns whether there are too many moving transforms to keep. The log then has to be told
+  /// which frames matter, and needs the messages again; the statistics are complete.
   bool is_full() const;
   /// Forgets the moving transforms of a full log.
   void forget_moving();
@@ -91,16 +92,17 @@ class TransformLog {
   void finish(Transforms& transforms, LoggedLink& link);
 
   std::set<std::string> drop_frames_;
+  std::size_t max_transforms_;
   std::map<std::string, LoggedLink> links_;  ///< by child
   FrameTree tree_;
   TransformCounts counts_;
   std::size_t messages_ = 0, with_slash_ = 0, stored_ = 0;
   std::map<std::string, std::uint32_t> numbers_;
-  std::vector<std::string> names_;                              ///< by number
-  std::vector<geometry_msgs::TransformStamped> fixed_;          ///< in order of recording
-  std::map<std::uint32_t, Transforms> moving_;                  ///< by child; empty when finished
-  Transforms sorted_;                                           ///< by stamp, when finished
-  std::size_t next_ = 0;                                        ///< to be entered
+  std::vector<std::string> names_;                      ///< by number
+  std::vector<geometry_msgs::TransformStamped> fixed_;  ///< in order of recording
+  std::map<std::uint32_t, Transforms> moving_;          ///< by child; empty when finished
+  Transforms sorted_;                                   ///< by stamp, when finished
+  std::size_t next_ = 0;                                ///< to be entered
 };
 
 }  // namespace ribbon_mapper

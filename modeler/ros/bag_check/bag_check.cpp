@@ -6,6 +6,7 @@
 
 #include <stdexcept>
 
+#include "modeler/ros/bag/bag_message.hpp"
 #include "modeler/ros/bag_check/number_text.hpp"
 #include "modeler/ros/bag_check/scan_survey.hpp"
 #include "modeler/ros/bag_check/tf_survey.hpp"
@@ -24,7 +25,7 @@ void list_topics(const std::vector<BagTopic>& topics, BagReport& report) {
 
 void survey_scans(const BagSet& bags, const std::string& scan_topic, ScanSurvey& scans) {
   bags.read({scan_topic}, [&](const rosbag::MessageInstance& message) {
-    if (const auto scan = message.instantiate<sensor_msgs::LaserScan>())
+    if (const auto scan = message_of<sensor_msgs::LaserScan>(message))
       scans.add(*scan, message.getTime());
     return true;
   });

@@ -100,10 +100,9 @@ std::vector<std::string> transform_warnings(const TransformLog& transforms) {
                        " repeat the stamp of one before, of " +
                        names_of(links, [](const LoggedLink& link) { return link.repeated > 0; }) +
                        "; the first counts";
-    text += counts.differing == 0
-                ? ": is each recorded twice?"
-                : ". " + std::to_string(counts.differing) +
-                      " of them say something else: two nodes publish one frame";
+    text += counts.differing == 0 ? ": is each recorded twice?"
+                                  : ". " + std::to_string(counts.differing) +
+                                        " of them say something else: two nodes publish one frame";
     warnings.push_back(text);
   }
   const auto is_both = [](const LoggedLink& link) { return link.fixed > 0 && link.moving > 0; };

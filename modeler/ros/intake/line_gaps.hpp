@@ -17,20 +17,26 @@ struct LineGap {
   double silent_s = 0;   ///< time without lines, if header.seq does not tell that any were sent
 };
 
-/// Finds lines that are missing among those that arrive. If header.seq counts the lines in step with
-/// their stamps, it tells how many were sent: these were lost by a queue that was full, or on the
-/// way. Else a gap is a step of more than one and a half periods between stamps. The period is the
-/// median of the last steps.
+/// Finds lines that are missing among those that arrive. If header.seq counts the lines in step
+/// with their stamps, it tells how many were sent: these were lost by a queue that was full, or on
+/// the way. Else a gap is a step of more than one and a half periods between stamps. The period is
+/// the median of the last steps.
 class LineGaps {
  public:
   /// Takes the next line and returns what is missing before it. Lines out of order are left out.
   LineGap saw(std::uint32_t seq, const ros::Time& stamp) {
     const double step_s = newest_.isZero() ? 0.0 : stamp.toSec() - newest_.toSec();
-    if (step_s < 0.0 || (step_s == 0.0 && !newest_.isZero())) return {};
-    const LineGap gap = step_s > 0.0 ? gap_of(seq - seq_, step_s) : LineGap{};
-    newest_ = stamp, seq_ = seq;
+    if (!newest_.isZero() && step_s <= 0.0) {
+      saw_unusable();
+      return {};
+    }
+    const LineGap gap = newest_.isZero() ? LineGap{} : gap_of(seq - seq_, step_s);
+    newest_ = stamp, seq_ = seq, unusable_ = 0;
     return gap;
   }
+
+  /// Takes note of a line that has come, but has no usable stamp.
+  void saw_unusable() { ++unusable_; }
 
   /// Starts again: the next line does not follow the last one.
   void restart() { *this = {}; }
@@ -48,7 +54,7 @@ class LineGaps {
       const double periods = step_s / period_s();
       const double periods_each = periods / std::max(1U, sent);
       if (sent > 1 && sent < kMaxSent && periods_each > 0.5 && periods_each < kMaxPeriods) {
-        gap.lost = sent - 1;
+        gap.lost = sent - 1 - std::min(sent - 1, unusable_);
       } else if (periods > kMaxPeriods) {
         gap.silent_s = step_s;
       }
@@ -60,14 +66,15 @@ class LineGaps {
 
   double period_s() const {
     std::array<double, 15> steps_s = last_steps_s_;
-    const auto end = steps_s.begin() + static_cast<std::ptrdiff_t>(std::min(steps_, steps_s.size()));
+    const auto end =
+        steps_s.begin() + static_cast<std::ptrdiff_t>(std::min(steps_, steps_s.size()));
     const auto middle = steps_s.begin() + (end - steps_s.begin()) / 2;
     std::nth_element(steps_s.begin(), middle, end);
     return *middle;
   }
 
   ros::Time newest_;
-  std::uint32_t seq_ = 0;
+  std::uint32_t seq_ = 0, unusable_ = 0;  ///< unusable: lines since the newest
   std::array<double, 15> last_steps_s_{};
   std::size_t steps_ = 0;
 };

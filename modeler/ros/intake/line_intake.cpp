@@ -18,7 +18,11 @@ void LineIntake::add(const sensor_msgs::LaserScan& scan, const Moment& now) {
   admit_held(now);
   const Run run = line.defect ? Run::current : sorter_.sort(scan.header.stamp);
   if (run == Run::current) {
-    if (!line.defect) log_.missing(gaps_.saw(scan.header.seq, scan.header.stamp));
+    if (line.defect) {
+      gaps_.saw_unusable();
+    } else {
+      log_.missing(gaps_.saw(scan.header.seq, scan.header.stamp));
+    }
     admit(std::move(line));
   } else if (run == Run::next) {
     held_.push_back(std::move(line));

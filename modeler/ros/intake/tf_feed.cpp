@@ -35,12 +35,14 @@ void TfFeed::warn() {
              counts.defect.c_str());
   }
   if (counts.repeated > 0 && !std::exchange(has_warned_.repeated, true)) {
-    ROS_WARN("Transforms are repeated with the same stamp; the first one counts. Do two nodes "
-             "publish one frame, or does a bag play twice? They are counted on /diagnostics.");
+    ROS_WARN(
+        "Transforms are repeated with the same stamp; the first one counts. Do two nodes "
+        "publish one frame, or does a bag play twice? They are counted on /diagnostics.");
   }
   if (counts.differing > 0 && !std::exchange(has_warned_.differing, true)) {
-    ROS_WARN("Repeated transforms say something else than the first: two nodes publish one frame, "
-             "and do not agree. Stop one of them, or see ~tf_drop_frames.");
+    ROS_WARN(
+        "Repeated transforms say something else than the first: two nodes publish one frame, "
+        "and do not agree. Stop one of them, or see ~tf_drop_frames.");
   }
   if (has_warned_.contradicted == buffer_.contradicted().size()) return;
   has_warned_.contradicted = buffer_.contradicted().size();

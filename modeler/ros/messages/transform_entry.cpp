@@ -5,7 +5,9 @@
 #include <console_bridge/console.h>
 #include <tf2/exceptions.h>
 
+#include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <cstdio>
 
 #include "modeler/ros/messages/message_conversions.hpp"
@@ -17,6 +19,8 @@ namespace {
 constexpr double kMaxSquareError = 10e-3;
 /// A quaternion of 32-bit numbers is off by less. It stays as it is, to the last bit.
 constexpr double kRoundingError = 1e-6;
+/// tf2 adds the time that it keeps to a stamp, and throws on overflow.
+constexpr std::uint32_t kLatestStamp_s = 0xffffffffu - 7200u;
 constexpr double kSame = 1e-6;  // of metres, and of elements of a quaternion
 
 /// Silences tf2, which prints a line for each transform that it does not take.
@@ -74,8 +78,10 @@ std::optional<std::string> find_defect(const geometry_msgs::TransformStamped& tr
   const std::string parent = without_slash(transform.header.frame_id);
   const std::string child = without_slash(transform.child_frame_id);
   if (parent.empty() || child.empty()) return "a frame has no name";
-  if (std::max(parent.size(), child.size()) > kMaxFrameName) return "the name of a frame is too long";
+  if (std::max(parent.size(), child.size()) > kMaxFrameName)
+    return "the name of a frame is too long";
   if (parent == child) return "it is a frame in itself";
+  if (transform.header.stamp.sec > kLatestStamp_s) return "its stamp is beyond what tf can keep";
   if (!std::isfinite(t.x + t.y + t.z)) return "its translation is not finite";
   const double square = square_of(transform.transform.rotation);
   if (std::abs(square - 1.0) < kMaxSquareError) return std::nullopt;

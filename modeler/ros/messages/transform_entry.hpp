@@ -14,8 +14,8 @@ namespace ribbon_mapper {
 
 /// What became of transforms that were to enter a buffer.
 struct TransformCounts {
-  std::size_t refused = 0;    ///< unusable, see find_defect(), or older than the buffer reaches back
-  std::size_t repeated = 0;   ///< stamped as one before: the first counts
+  std::size_t refused = 0;   ///< unusable, see find_defect(), or older than the buffer reaches back
+  std::size_t repeated = 0;  ///< stamped as one before: the first counts
   std::size_t differing = 0;  ///< repeated ones that say something else than the first
   std::string defect;         ///< of the last unusable transform, with its frames
 

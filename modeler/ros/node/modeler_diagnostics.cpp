@@ -33,6 +33,11 @@ ModelerDiagnostics::ModelerDiagnostics(const ModelKeeper& keeper, const LineInta
   updater_.add("plane model", this, &ModelerDiagnostics::model);
 }
 
+void ModelerDiagnostics::publish() {
+  constexpr double kMaxPeriod_s = 3600.0;
+  if (ros::Time::now().toSec() + kMaxPeriod_s < ros::TIME_MAX.toSec()) updater_.force_update();
+}
+
 void ModelerDiagnostics::lines(DiagnosticStatusWrapper& status) {
   const LineLog& log = keeper_.log();
   const std::size_t lines = log.lines(), dropped = log.dropped_lines();

@@ -17,10 +17,11 @@ namespace ribbon_mapper {
 class ModelerDiagnostics {
  public:
   /// Advertises the topic. `keeper`, `intake` and `tf` must outlive this object.
-  ModelerDiagnostics(const ModelKeeper& keeper, const LineIntake& intake,
-                     const TransformBuffer& tf, std::string scan_topic);
-  /// Publishes the present state.
-  void publish() { updater_.force_update(); }
+  ModelerDiagnostics(const ModelKeeper& keeper, const LineIntake& intake, const TransformBuffer& tf,
+                     std::string scan_topic);
+  /// Publishes the present state, unless the clock is so near to its end that the time of the next
+  /// report cannot be told: diagnostic_updater throws then.
+  void publish();
 
  private:
   void lines(diagnostic_updater::DiagnosticStatusWrapper& status);

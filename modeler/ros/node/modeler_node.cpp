@@ -134,8 +134,7 @@ void ModelerNode::take_lines() {
 void ModelerNode::on_corrected_trajectory(const nav_msgs::Path& path) {
   take_lines();
   try {
-    const std::vector<StampedPose> trajectory =
-        trajectory_of(path, parameters_.intake.frames.map);
+    const std::vector<StampedPose> trajectory = trajectory_of(path, parameters_.intake.frames.map);
     keeper_.correct(trajectory);
     if (const auto text = turns_.contradiction(trajectory))
       ROS_WARN("Corrected, but %s", text->c_str());
@@ -222,12 +221,16 @@ void ModelerNode::warn_of_missing_lines() {
   const LineLog& log = keeper_.log();
   const std::size_t lost = log.lost(), gaps = log.gaps();
   if (std::exchange(reported_lost_, lost) != lost) {
-    ROS_WARN("Lines are lost before they come here: header.seq has gaps. %zu lost so far. Did this "
-             "node or its computer stall, or is the network too slow?", lost);
+    ROS_WARN(
+        "Lines are lost before they come here: header.seq has gaps. %zu lost so far. Did this "
+        "node or its computer stall, or is the network too slow?",
+        lost);
   }
   if (std::exchange(reported_gaps_, gaps) != gaps) {
-    ROS_WARN("No lines for %.1f s in %zu gaps so far, by their stamps: the laser was silent, or "
-             "lines were lost.", log.silent_s(), gaps);
+    ROS_WARN(
+        "No lines for %.1f s in %zu gaps so far, by their stamps: the laser was silent, or "
+        "lines were lost.",
+        log.silent_s(), gaps);
   }
 }
 

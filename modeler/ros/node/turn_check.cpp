@@ -34,7 +34,8 @@ std::optional<Eigen::Quaternionf> TurnCheck::heading_at(Time stamp) const {
   if (after == headings_.begin()) return std::nullopt;
   const Heading& before = after[-1];
   if (after->stamp - before.stamp > kMaxGap) return std::nullopt;
-  const double fraction = to_seconds(stamp - before.stamp) / to_seconds(after->stamp - before.stamp);
+  const double fraction =
+      to_seconds(stamp - before.stamp) / to_seconds(after->stamp - before.stamp);
   return before.R_odom_base.slerp(static_cast<float>(fraction), after->R_odom_base);
 }
 
@@ -61,13 +62,16 @@ std::optional<std::string> TurnCheck::contradiction(
     begin = now;
   }
   if (total_rad < kMinTotal_rad || apart_rad < kContradiction * total_rad) return std::nullopt;
-  const auto degrees = [](float angle_rad) { return static_cast<double>(angle_rad) * 180.0 / M_PI; };
+  const auto degrees = [](float angle_rad) {
+    return static_cast<double>(angle_rad) * 180.0 / M_PI;
+  };
   char text[400];
-  std::snprintf(text, sizeof text,
-                "the turns of the trajectory contradict the odometry: it turns by %.0f degrees in "
-                "all, odometry by %.0f, and they differ by %.0f. Are its quaternions in the order x "
-                "y z w, and its poses those of the base, not of a sensor?",
-                degrees(trajectory_rad), degrees(odom_rad), degrees(apart_rad));
+  std::snprintf(
+      text, sizeof text,
+      "the turns of the trajectory contradict the odometry: it turns by %.0f degrees in "
+      "all, odometry by %.0f, and they differ by %.0f. Are its quaternions in the order x "
+      "y z w, and its poses those of the base, not of a sensor?",
+      degrees(trajectory_rad), degrees(odom_rad), degrees(apart_rad));
   return text;
 }
 

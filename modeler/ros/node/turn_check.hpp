@@ -10,9 +10,9 @@
 
 namespace ribbon_mapper {
 
-/// Compares how a corrected trajectory turns with how odometry turned. Odometry slips, but hardly by
-/// half of a turn. A trajectory that turns elsewhere has its quaternions in another order, is that
-/// of another frame (a camera's), of another run, or has no rotation at all.
+/// Compares how a corrected trajectory turns with how odometry turned. Odometry slips, but hardly
+/// by half of a turn. A trajectory that turns elsewhere has its quaternions in another order, is
+/// that of another frame (a camera's), of another run, or has no rotation at all.
 class TurnCheck {
  public:
   /// Adds a pose of odometry, later than the last one.

@@ -51,7 +51,8 @@ void take_lines(const OfflineOptions& options, ModelKeeper& keeper, TurnCheck& t
   summary.repeated_transforms = transforms.counts().repeated;
   summary.refused_transforms = transforms.counts().refused;
   summary.notes = lines.choices();
-  for (const std::string& warning : transform_warnings(transforms)) summary.notes.push_back(warning);
+  for (const std::string& warning : transform_warnings(transforms))
+    summary.notes.push_back(warning);
   add_missing_lines(keeper.log(), summary);
 }
 
