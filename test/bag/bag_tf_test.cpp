@@ -41,7 +41,10 @@ struct Read {
 
 class BagTf : public testing::Test {
  protected:
-  BagTf() { ros::Time::init(); }
+  BagTf() {
+    ros::Time::init();
+    bag_.is_compressed = false;
+  }
 
   Read read(const WallBag& bag, const BagOptions& options = {}) {
     bag.write(file_);
@@ -57,7 +60,9 @@ class BagTf : public testing::Test {
   }
   /// Expects all lines, with the poses of the unspoilt bag.
   void expect_as_good(const Read& found) {
-    const Read good = read(WallBag());
+    WallBag unspoilt;
+    unspoilt.is_compressed = false;
+    const Read good = read(unspoilt);
     ASSERT_EQ(found.lines.size(), 200u) << found.report;
     for (std::size_t i = 0; i < found.lines.size(); ++i) {
       const LinePoses &a = found.lines[i].poses, &b = good.lines[i].poses;

@@ -129,6 +129,17 @@ TEST_F(TimeJump, LateMessagesOfTheOldRunAreDropped) {
   EXPECT_THAT(printed_.texts, IsEmpty());
 }
 
+TEST_F(TimeJump, AClockThatRunsToTheEndOfTimeThrowsNothing) {
+  set_clock(1000.0);
+  publish_transforms_of_a_run(1.0);
+  publish_scans_of_a_run();
+  EXPECT_EQ(take_lines().size(), 29u);  // the last one waits
+  ros::Time::setNow(ros::TIME_MAX);
+  EXPECT_THAT(take_lines(), IsEmpty());
+  intake_.add(scan(4.2e9), Moment::now());
+  EXPECT_THAT(take_lines(), IsEmpty());
+}
+
 TEST_F(TimeJump, AResetWithinARunDropsWhatWaits) {
   set_clock(1000.0);
   publish_scans_of_a_run();

@@ -30,7 +30,7 @@ struct BagOptions {
   std::set<std::string> tf_drop_frames;  ///< see enter_transforms()
   /// If there are more, transforms are read twice, and only those on the way to the laser are kept.
   std::size_t max_transforms = 2'000'000;
-  double tf_cache_s = 120.0;             ///< how far lookups in tf reach back
+  double tf_cache_s = 120.0;  ///< how far lookups in tf reach back
 };
 
 /// Reads the scan lines of bags with their poses from tf. Uses the intake of the node. Reads all

@@ -13,7 +13,7 @@ namespace ribbon_mapper {
 namespace {
 
 const Time kJitter = from_seconds(kMinTimeJump_s);
-constexpr std::size_t kMaxStray = 5;           // stamps of another clock, before a source is set
+constexpr std::size_t kMaxStray = 5;  // stamps of another clock, before a source is set
 
 bool is_earlier(const LoggedTransform& a, const LoggedTransform& b) { return a.stamp < b.stamp; }
 

@@ -38,7 +38,7 @@ void LineIntake::admit(WaitingLine line) {
 /// Admits lines held back once their run has begun, or when the clock shows no jump after all.
 void LineIntake::admit_held(const Moment& now) {
   while (!held_.empty()) {
-    const double waited_s = (now.wall - held_.front().arrived.wall).toSec();
+    const double waited_s = now.wall.toSec() - held_.front().arrived.wall.toSec();
     if (!held_are_current_ && waited_s < kMaxWaitForClock_s) break;
     admit(std::move(held_.front()));
     held_.pop_front();
@@ -105,8 +105,9 @@ void LineIntake::start_next_run(const std::string& reason) {
 /// Requires both clocks to have advanced. Simulated time stops in a pause, when no transform can
 /// come; in a fast replay it runs ahead of the wall time that the processes need.
 bool LineIntake::expired(const WaitingLine& line, const Moment& now) const {
-  return (now.wall - line.arrived.wall).toSec() > options_.transform_timeout_s &&
-         (now.data - line.arrived.data).toSec() > options_.transform_timeout_s;
+  // A ros::Duration cannot be longer than 68 years, and throws.
+  return now.wall.toSec() - line.arrived.wall.toSec() > options_.transform_timeout_s &&
+         now.data.toSec() - line.arrived.data.toSec() > options_.transform_timeout_s;
 }
 
 void LineIntake::drop_front(const std::string& reason, const std::string& detail) {

@@ -9,6 +9,7 @@
 #include <cmath>
 #include <cstdint>
 #include <cstdio>
+#include <stdexcept>
 
 #include "modeler/ros/messages/message_conversions.hpp"
 
@@ -60,7 +61,7 @@ void count_refused(const geometry_msgs::TransformStamped& transform, tf2::Buffer
   } catch (const tf2::ExtrapolationException&) {
     ++counts.refused;
     counts.defect = link_text(transform) + ": it is older than tf is kept";
-  } catch (const tf2::TransformException&) {  // the first has another parent
+  } catch (const std::runtime_error&) {  // the first has another parent
     ++counts.repeated, ++counts.differing;
   }
 }
@@ -108,7 +109,7 @@ void enter_transform(const geometry_msgs::TransformStamped& transform, bool is_s
   const QuietTf2 quiet;
   try {
     if (!buffer.setTransform(transform, "tf", is_static)) count_refused(transform, buffer, counts);
-  } catch (const tf2::TransformException& error) {
+  } catch (const std::runtime_error& error) {  // of tf2, or of ROS
     ++counts.refused;
     counts.defect = link_text(transform) + ": " + shown(error.what(), 300);
   }
