@@ -198,14 +198,6 @@ TEST_F(BagTf, StampsOfAnotherClockBeforeTheFirstOnesDoNotMatter) {
   expect_as_good(read(bag_));
 }
 
-TEST_F(BagTf, AScanFarAheadCostsOnlyItself) {
-  bag_.spoil_scan = [](int line, sensor_msgs::LaserScan& scan) {
-    if (line == 50) scan.header.stamp = ros::Time(4e9);
-    return true;
-  };
-  EXPECT_EQ(read(bag_).lines.size(), 199u);
-}
-
 TEST_F(BagTf, AGapIsNotBridgedForLong) {
   bag_.tf_gap_begin_s = 1.0, bag_.tf_gap_end_s = 4.0;
   const Read found = read(bag_);
@@ -269,16 +261,6 @@ TEST_F(BagTf, TransformsUnderARobotsName) {
   bag_.write(file_);
   EXPECT_THAT(check_bags({file_}, options).text(),
               HasSubstr("no transforms on topic /robot2/tf: topics with transforms are /a/b/tf"));
-}
-
-TEST(TfTopics, OfSeveralRobotsThatOfTheScansIsTaken) {
-  const std::string md5 = ros::message_traits::md5sum<tf2_msgs::TFMessage>();
-  const std::vector<BagTopic> topics{{"/robot1/tf", "tf2_msgs/TFMessage", md5, 5},
-                                     {"/robot2/tf", "tf/tfMessage", md5, 5},
-                                     {"/robot2/tf_static", "tf2_msgs/TFMessage", md5, 1}};
-  EXPECT_EQ(tf_topics_of(topics, "", "/robot2/scan").moving.front(), "/robot2/tf");
-  EXPECT_EQ(tf_topics_of(topics, "", "/robot2/scan").fixed.front(), "/robot2/tf_static");
-  EXPECT_THAT(tf_topics_of(topics, "", "/scan").note, HasSubstr("one of /robot1/tf, /robot2/tf"));
 }
 
 TEST_F(BagTf, LongAndStrangeNamesDoNotFillTheMessages) {
