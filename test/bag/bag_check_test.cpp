@@ -119,7 +119,10 @@ TEST_F(BagCheck, NoStaticTransforms) {
 
 TEST_F(BagCheck, NoMapFrame) {
   bag_.with_map = false;
-  finds_fault(check(bag_), "frame map is not in tf");
+  finds_warning(check(bag_), "--map-frame odom_combined is taken");
+  BagOptions options;
+  options.named_frames.map = true;
+  finds_fault(check(bag_, options), "frame map is not in tf");
 }
 
 TEST_F(BagCheck, AnUnknownLaserFrame) {

@@ -103,6 +103,7 @@ TEST_F(BagLinesTest, DropsAreCountedByReason) {
 TEST_F(BagLinesTest, FramesCanBeLeftOutOfTf) {
   BagOptions options;
   options.tf_drop_frames = {"map"};
+  options.named_frames.map = true;
   const Lines found = lines_of({written(bag_)}, options);
   EXPECT_TRUE(found.lines.empty());
   EXPECT_EQ(found.log.dropped_by_reason().at("frame map is not in tf"), 200u);
@@ -115,6 +116,24 @@ TEST_F(BagLinesTest, TransformsThatLoopDoNotHang) {
     message.transforms[1].header.frame_id = "laser_tilt_link";
   };
   EXPECT_TRUE(lines_of({written(bag_)}).lines.empty());
+}
+
+TEST_F(BagLinesTest, AScanFarAheadCostsOnlyItself) {
+  bag_.spoil_scan = [](int line, sensor_msgs::LaserScan& scan) {
+    if (line == 50) scan.header.stamp = ros::Time(4e9);
+    return true;
+  };
+  EXPECT_EQ(lines_of({written(bag_)}).lines.size(), 199u);
+}
+
+TEST(TfTopics, OfSeveralRobotsThatOfTheScansIsTaken) {
+  const std::string md5 = ros::message_traits::md5sum<tf2_msgs::TFMessage>();
+  const std::vector<BagTopic> topics{{"/robot1/tf", "tf2_msgs/TFMessage", md5, 5},
+                                     {"/robot2/tf", "tf/tfMessage", md5, 5},
+                                     {"/robot2/tf_static", "tf2_msgs/TFMessage", md5, 1}};
+  EXPECT_EQ(tf_topics_of(topics, "", "/robot2/scan").moving.front(), "/robot2/tf");
+  EXPECT_EQ(tf_topics_of(topics, "", "/robot2/scan").fixed.front(), "/robot2/tf_static");
+  EXPECT_THAT(tf_topics_of(topics, "", "/scan").note, HasSubstr("one of /robot1/tf, /robot2/tf"));
 }
 
 TEST(ScanTopic, IsChosenOrAskedFor) {

@@ -185,11 +185,14 @@ TEST(Offline, ABagWithoutPosesSaysWhatIsMissing) {
   options.bags = {kRoom};
   options.config = PROJECT_DIR "/config/pr2.yaml";
   options.bag.tf_drop_frames = {"map"};
+  options.bag.named_frames.map = true;
   try {
     model_bags(options, [](const Progress&) {});
     ADD_FAILURE() << "modelled";
   } catch (const std::runtime_error& error) {
     EXPECT_THAT(error.what(), HasSubstr("480 x frame map is not in tf"));
+    EXPECT_THAT(error.what(), HasSubstr("but odom_combined -> base_footprint -> "));
+    EXPECT_THAT(error.what(), HasSubstr("set --map-frame"));
   }
 }
 

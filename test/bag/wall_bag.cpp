@@ -4,7 +4,9 @@
 
 #include <rosbag/bag.h>
 
+#include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <random>
 
 namespace ribbon_mapper {
@@ -72,13 +74,21 @@ void WallBag::write(const std::filesystem::path& file) const {
       transform(slash + "base_footprint", slash + "torso_lift_link", first_stamp_s, kHeight_m));
   const double end_s = lines * kPeriod_s + 0.2;
   const double static_s = static_last ? end_s : -0.1;
-  if (with_static) bag.write("/tf_static", ros::Time(1000.0 + static_s), fixed);
+  if (spoil_static) spoil_static(fixed);
+  if (with_static) bag.write(tf_space + "/tf_static", ros::Time(1000.0 + static_s), fixed);
   for (int tick = -2; tick * 0.01 < end_s && with_tf; ++tick) {
     const double seconds = tick * 0.01;
     if (seconds > tf_gap_begin_s && seconds < tf_gap_end_s) continue;
     tf2_msgs::TFMessage message = tf(seconds);
     if (spoil_tf) spoil_tf(message);
-    bag.write("/tf", ros::Time(1000.0 + seconds), message);
+    tf2_msgs::TFMessage late;
+    const auto is_late = [&](const auto& t) { return t.child_frame_id == late_frame; };
+    auto& all = message.transforms;
+    std::copy_if(all.begin(), all.end(), std::back_inserter(late.transforms), is_late);
+    all.erase(std::remove_if(all.begin(), all.end(), is_late), all.end());
+    if (!all.empty()) bag.write(tf_space + "/tf", ros::Time(1000.0 + seconds), message);
+    if (late.transforms.empty()) continue;
+    bag.write(tf_space + "/tf", ros::Time(1000.0 + seconds + late_s), late);
   }
   for (int line = 0; line < lines; ++line) {
     sensor_msgs::LaserScan message = scan(line);

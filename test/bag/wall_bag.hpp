@@ -25,10 +25,15 @@ struct WallBag {
   bool static_last = false;                     ///< /tf_static is recorded last
   double tf_gap_begin_s = -1.0;                 ///< /tf has a gap from here, after the first stamp
   double tf_gap_end_s = -1.0;                   ///< end of the gap
-  bool is_compressed = true;                    ///< by BZ2
+  std::string tf_space;       ///< prefix of the topics /tf and /tf_static: /robot1
+  std::string late_frame;     ///< a moving child frame whose transforms are recorded late
+  double late_s = 0.0;        ///< how late; negative: before their time
+  bool is_compressed = true;  ///< by BZ2
   std::function<bool(int line, sensor_msgs::LaserScan& scan)>
       spoil_scan;                                              ///< returns false to leave it out
   std::function<void(tf2_msgs::TFMessage& message)> spoil_tf;  ///< changes each message
+
+  std::function<void(tf2_msgs::TFMessage& message)> spoil_static;  ///< changes /tf_static
 
   /// Writes the bag.
   void write(const std::filesystem::path& file) const;

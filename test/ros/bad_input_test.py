@@ -14,6 +14,7 @@ from nav_msgs.msg import Path
 from ribbon_mapper.srv import GetModel, GetModelRequest, Save
 from rosgraph_msgs.msg import Log
 from std_srvs.srv import Trigger
+from tf2_msgs.msg import TFMessage
 
 from diagnostics import Diagnostics
 from robot_before_a_wall import Robot
@@ -119,6 +120,38 @@ class BadInput(unittest.TestCase):
         self.assertTrue(eventually(
             lambda: self.dropped_for('frame nowhere_link is not in tf') == 1))
         self.assertTrue(self.logged('nowhere_link'))
+
+    def test_a_name_of_two_megabytes_does_not_fill_the_log(self):
+        scan = self.robot.scan(self.robot.line)
+        scan.header.frame_id = 'x' * 2000000
+        self.log.messages.clear()
+        self.robot.send(scan)
+        self.assertTrue(eventually(lambda: self.dropped_for('malformed') == 1))
+        path = self.path([self.robot.stamp(0)], frame='y' * 2000000)
+        self.corrected.publish(path)
+        self.assertTrue(self.logged('refused'))
+        self.assertLess(max(len(entry.msg) for entry in self.log.messages), 1000)
+
+    def test_repeated_transforms_are_one_warning(self):
+        self.log.messages.clear()
+        for _ in range(200):
+            self.robot.tf.publish(TFMessage([
+                self.robot.transform('map', 'odom_combined', self.robot.line - 1)]))
+        repeated = eventually(
+            lambda: int(self.diagnostics.value('transforms repeated') or 0) >= 200)
+        self.assertTrue(repeated, self.diagnostics.reports()[-1:])
+        warnings = [entry.msg for entry in self.log.messages if 'repeated' in entry.msg]
+        self.assertEqual(len(warnings), 1, warnings)
+
+    def test_lost_lines_are_counted(self):
+        self.robot.scans.impl.seq += 30  # as if a queue had dropped them
+        self.robot.line += 30
+        self.log.messages.clear()
+        self.robot.take(1)
+        lost = eventually(lambda: self.diagnostics.value(
+            'lines lost before they came (header.seq)') == '30')
+        self.assertTrue(lost, self.diagnostics.reports()[-1:])
+        self.assertTrue(self.logged('30 lost so far'))
 
     def path(self, stamps, x=0.0, frame='map'):
         path = Path()

@@ -7,6 +7,7 @@ import unittest
 
 import rospy
 import rostest
+from ribbon_mapper.msg import PlaneArray
 from ribbon_mapper.srv import GetModel
 from rosgraph_msgs.msg import Log
 from std_srvs.srv import Trigger
@@ -53,6 +54,16 @@ class TimeJump(unittest.TestCase):
         self.assertEqual(self.model().ribbons, 0)
         self.play()
         self.assertTrue(eventually(lambda: self.model().ribbons > 50), self.model())
+
+
+    def test_the_end_of_time_does_not_end_the_node(self):
+        end = rospy.Time(0xffffffff, 999999999)
+        self.clock.set(end, self.get_model)
+        planes = Latest('modeler/planes', PlaneArray)  # published by the next report
+        self.assertTrue(eventually(lambda: planes.messages and planes.newest().header.stamp == end))
+        self.clock.set(self.robot.stamp(0), self.get_model)
+        diagnostics = Diagnostics()
+        self.assertTrue(eventually(lambda: diagnostics.value('lines in')))
 
 
 if __name__ == '__main__':

@@ -4,90 +4,133 @@
 
 #include <sensor_msgs/LaserScan.h>
 
-#include <algorithm>
 #include <stdexcept>
 
+#include "modeler/ros/bag/bag_message.hpp"
 #include "modeler/ros/messages/message_conversions.hpp"
-#include "modeler/ros/messages/transform_entry.hpp"
 
 namespace ribbon_mapper {
 namespace {
 
 using Scan = sensor_msgs::LaserScan;
 
-bool is_scan(const BagTopic& topic) {
-  return topic.md5 == ros::message_traits::md5sum<Scan>() && topic.messages > 0;
-}
-
-std::string list_of(const std::vector<BagTopic>& topics) {
-  std::string list;
-  for (const BagTopic& topic : topics) {
-    if (is_scan(topic)) list += (list.empty() ? "" : ", ") + topic.name;
-  }
-  return list.empty() ? "there is no topic with sensor_msgs/LaserScan in the bag"
-                      : "topics with scans are " + list;
-}
+constexpr int kMaxScansForFrame = 100;
 
 }  // namespace
-
-std::string scan_topic_of(const std::vector<BagTopic>& topics, const std::string& wanted) {
-  const std::string name = without_slash(wanted.empty() ? "tilt_scan" : wanted);
-  std::vector<std::string> scans;
-  for (const BagTopic& topic : topics) {
-    if (is_scan(topic)) scans.push_back(topic.name);
-    if (without_slash(topic.name) != name) continue;
-    if (is_scan(topic)) return topic.name;
-    if (wanted.empty()) continue;
-    const std::string fault = topic.messages == 0 ? "is empty" : "carries " + topic.type;
-    throw std::runtime_error("topic " + topic.name + " " + fault + ": " + list_of(topics));
-  }
-  if (wanted.empty() && scans.size() == 1) return scans.front();
-  throw std::runtime_error((wanted.empty() ? "which laser? " : "no topic " + wanted + ": ") +
-                           list_of(topics));
-}
 
 BagLines::BagLines(const std::vector<std::filesystem::path>& bags, const BagOptions& options,
                    LineLog& log)
     : bags_(bags),
       options_(options),
-      intake_(options.intake, log),
-      tf_(ros::Duration(options.tf_cache_s)),
-      scan_topic_(scan_topic_of(bags_.topics(), options.scan_topic)) {
-  bags_.read({"/tf_static", "tf_static"}, [this](const rosbag::MessageInstance& message) {
-    if (const auto fixed = message.instantiate<tf2_msgs::TFMessage>()) {
-      refused_ += enter_transforms(*fixed, true, options_.tf_drop_frames, tf_);
-    }
-    return true;
-  });
-  line_count_ = bags_.view({scan_topic_})->size();
-  messages_ = bags_.view({scan_topic_, "/tf", "tf"});
-  at_ = messages_->begin();
+      scan_topic_(scan_topic_of(bags_.topics(), options.scan_topic)),
+      tf_topics_(tf_topics_of(bags_.topics(), options.tf_topic, scan_topic_)),
+      transforms_(options.tf_drop_frames, options.max_transforms),
+      intake_(with_frames_chosen(), log),
+      tf_(ros::Duration(options.tf_cache_s)) {
+  transforms_.enter_fixed(tf_);
+  scans_ = bags_.view({scan_topic_});
+  line_count_ = scans_->size();
+  at_ = scans_->begin();
 }
 
 BagLines::~BagLines() = default;
 
+void BagLines::read_transforms() {
+  for (const bool is_static : {true, false}) {
+    bags_.read(is_static ? tf_topics_.fixed : tf_topics_.moving,
+               [&](const rosbag::MessageInstance& message) {
+                 if (const auto tf = message_of<tf2_msgs::TFMessage>(message))
+                   transforms_.add(*tf, is_static, time_of(message.getTime()));
+                 return true;
+               });
+  }
+  find_laser_frame();
+  if (transforms_.is_full()) read_again();
+  transforms_.finish();
+}
+
+/// Keeps only the transforms between the root and the frames in use.
+void BagLines::read_again() {
+  std::set<std::string> laser_frames, children;
+  bags_.read({scan_topic_}, [&](const rosbag::MessageInstance& message) {
+    if (const auto scan = message_of<Scan>(message))
+      laser_frames.insert(without_slash(scan->header.frame_id));
+    return true;
+  });
+  const Frames& frames = options_.intake.frames;
+  laser_frames.insert({frames.map, frames.odom, frames.base});
+  for (const std::string& frame : laser_frames) {
+    const std::vector<std::string> chain = transforms_.tree().chain_from(frame);
+    children.insert(chain.begin(), chain.end());
+  }
+  transforms_.forget_moving();
+  bags_.read(tf_topics_.moving, [&](const rosbag::MessageInstance& message) {
+    if (const auto tf = message_of<tf2_msgs::TFMessage>(message))
+      transforms_.add_again(*tf, children);
+    return true;
+  });
+}
+
+/// Takes the frame of the first scan whose frame is in tf.
+void BagLines::find_laser_frame() {
+  int scans = 0;
+  bags_.read({scan_topic_}, [&](const rosbag::MessageInstance& message) {
+    const auto scan = message_of<Scan>(message);
+    if (!scan) return true;
+    const std::string frame = without_slash(scan->header.frame_id);
+    const bool is_known = transforms_.tree().has(frame);
+    if (laser_frame_.empty() || is_known) laser_frame_ = frame;
+    return !is_known && ++scans < kMaxScansForFrame;
+  });
+}
+
+IntakeOptions BagLines::with_frames_chosen() {
+  if (!tf_topics_.note.empty()) choices_.push_back(tf_topics_.note);
+  read_transforms();
+  const FrameTree& tree = transforms_.tree();
+  Frames& frames = options_.intake.frames;
+  const std::string missing = missing_frames(tree, frames);
+  if (missing.empty() || transforms_.links().empty()) return options_.intake;
+  const std::string lack = "tf has no frame " + missing + ", but " + tree.text(laser_frame_);
+  const auto chosen = choose_frames(tree, laser_frame_, frames, options_.named_frames);
+  if (!chosen) {
+    choices_.push_back(lack + ": set --map-frame, --odom-frame and --base-frame");
+    return options_.intake;
+  }
+  std::string text = lack + ": " + settings_text(frames, *chosen, "--", "-frame ");
+  text += " is taken, the only choice";
+  if (chosen->map == chosen->base) {
+    text += ": without odometry, the robot is taken to stand still";
+  } else if (chosen->map == chosen->odom) {
+    text += ": without a localisation, drift is left as it is";
+  }
+  choices_.push_back(text);
+  frames = *chosen;
+  return options_.intake;
+}
+
 std::optional<ReadyLine> BagLines::next() {
   try {
     for (;;) {
-      if (auto line = intake_.take_next(tf_, now_)) return line;
-      if (at_ == messages_->end()) return intake_.take_next_at_end(tf_);
-      take(*at_);
+      if (auto line = intake_.take_next_at_end(tf_)) return line;
+      if (at_ == scans_->end()) return std::nullopt;
+      const auto scan = message_of<Scan>(*at_);
+      const Moment recorded = Moment::recorded(at_->getTime());
       ++at_;
+      if (!scan) continue;
+      intake_.add(*scan, recorded);
+      if (!find_defect(*scan)) enter_transforms_around(*scan);
     }
   } catch (const ros::Exception& error) {
     throw damaged_bag(error);
   }
 }
 
-void BagLines::take(const rosbag::MessageInstance& message) {
-  now_ = Moment::recorded(message.getTime());
-  if (message.getTopic() != scan_topic_) {
-    if (const auto moving = message.instantiate<tf2_msgs::TFMessage>()) {
-      refused_ += enter_transforms(*moving, false, options_.tf_drop_frames, tf_);
-    }
-  } else if (const auto scan = message.instantiate<Scan>()) {
-    intake_.add(*scan, now_);
-  }
+void BagLines::enter_transforms_around(const Scan& scan) {
+  const double duration_s = scan.time_increment * static_cast<double>(scan.ranges.size() - 1);
+  const Time first = time_of(scan.header.stamp) + from_seconds(options_.intake.scan_time_offset_s);
+  const Time until = first + from_seconds(duration_s + options_.intake.transform_timeout_s);
+  transforms_.enter(first, until, options_.tf_cache_s, tf_);
 }
 
 }  // namespace ribbon_mapper

@@ -7,6 +7,8 @@
 #include <stdexcept>
 #include <tuple>
 
+#include "modeler/ros/bag/bag_structure.hpp"
+
 namespace ribbon_mapper {
 namespace {
 
@@ -21,10 +23,11 @@ std::unique_ptr<rosbag::Bag> open(const fs::path& file) {
   if (!fs::is_regular_file(file, error)) throw std::runtime_error(file.string() + ": is no file");
   if (fs::file_size(file, error) == 0) throw std::runtime_error(file.string() + ": is empty");
   try {
+    check_bag_structure(file);
     return std::make_unique<rosbag::Bag>(file.string(), rosbag::bagmode::Read);
   } catch (const rosbag::BagUnindexedException&) {
     throw std::runtime_error(file.string() + ": has no index" + kReindex);
-  } catch (const ros::Exception& exception) {
+  } catch (const std::exception& exception) {
     throw std::runtime_error(file.string() + ": is no bag, or cut short (" + exception.what() +
                              "); copy it again, or try `rosbag reindex FILE` on a copy");
   }

@@ -3,48 +3,45 @@
 #include "modeler/ros/bag_check/bag_check.hpp"
 
 #include <sensor_msgs/LaserScan.h>
-#include <tf2_msgs/TFMessage.h>
 
 #include <stdexcept>
 
+#include "modeler/ros/bag/bag_message.hpp"
 #include "modeler/ros/bag_check/number_text.hpp"
 #include "modeler/ros/bag_check/scan_survey.hpp"
 #include "modeler/ros/bag_check/tf_survey.hpp"
 #include "modeler/ros/bag_check/tilt_survey.hpp"
+#include "modeler/ros/messages/message_conversions.hpp"
 
 namespace ribbon_mapper {
 namespace {
 
 void list_topics(const std::vector<BagTopic>& topics, BagReport& report) {
   for (const BagTopic& topic : topics) {
-    report.fact(topic.name + ": " + counted(topic.messages, "message") + " of " + topic.type);
+    report.fact(shown(topic.name) + ": " + counted(topic.messages, "message") + " of " +
+                shown(topic.type));
   }
 }
 
-void survey_messages(const BagSet& bags, const std::string& scan_topic, ScanSurvey& scans,
-                     TfSurvey& transforms) {
-  bags.read({scan_topic, "/tf", "tf", "/tf_static", "tf_static"},
-            [&](const rosbag::MessageInstance& message) {
-              if (const auto scan = message.instantiate<sensor_msgs::LaserScan>()) {
-                scans.add(*scan, message.getTime());
-              } else if (const auto tf = message.instantiate<tf2_msgs::TFMessage>()) {
-                const std::string& topic = message.getTopic();
-                transforms.add(*tf, topic.find("static") != std::string::npos);
-              }
-              return true;
-            });
+void survey_scans(const BagSet& bags, const std::string& scan_topic, ScanSurvey& scans) {
+  bags.read({scan_topic}, [&](const rosbag::MessageInstance& message) {
+    if (const auto scan = message_of<sensor_msgs::LaserScan>(message))
+      scans.add(*scan, message.getTime());
+    return true;
+  });
 }
 
 void report_drops(const LineLog& log, BagReport& report) {
   const std::size_t dropped = log.dropped_lines();
-  if (dropped == 0) {
-    report.fact("tf has the pose of every line");
-    return;
-  }
+  if (dropped == 0) report.fact("tf has the pose of every line");
   for (const auto& [reason, count] : log.dropped_by_reason()) {
     const std::string text = counted(count, "line") + " of " + std::to_string(log.lines()) +
                              " would be dropped: " + reason;
-    2 * dropped > log.lines() ? report.fault(text) : report.warning(text);
+    dropped == log.lines() ? report.fault(text) : report.warning(text);
+  }
+  if (log.lost() > 0) {
+    report.warning(counted(log.lost(), "line") +
+                   " were lost before they were recorded: header.seq has gaps");
   }
 }
 
@@ -52,22 +49,16 @@ void check(const std::vector<std::filesystem::path>& files, const BagOptions& op
            BagReport& report) {
   const BagSet bags(files);
   list_topics(bags.topics(), report);
-  const std::string scan_topic = scan_topic_of(bags.topics(), options.scan_topic);
   ScanSurvey scans;
-  TfSurvey transforms;
-  survey_messages(bags, scan_topic, scans, transforms);
-  scans.report(report);
-  transforms.report(options.intake.frames, scans.median_period_s(), report);
-
   LineLog log;
   BagLines lines(files, options, log);
+  survey_scans(bags, lines.scan_topic(), scans);
+  scans.report(report);
+  report_transforms(lines, scans, report);
+
   TiltSurvey tilt;
   while (const std::optional<ReadyLine> line = lines.next()) tilt.add(line->beams, line->poses);
   report_drops(log, report);
-  if (lines.refused_transforms() > 0) {
-    report.warning(counted(lines.refused_transforms(), "transform") +
-                   " cannot be used: not finite, no unit quaternion, or a frame in itself");
-  }
   tilt.report(scans, report);
 }
 

@@ -20,16 +20,27 @@ constexpr const char* kFooter =
 void add_bag_options(CLI::App& app, BagOptions& options, std::string& tf_drop_frames) {
   app.add_option("--scan", options.scan_topic,
                  "topic of the tilting laser [the only topic with scans, or tilt_scan]");
+  app.add_option("--tf-topic", options.tf_topic,
+                 "topic with transforms, such as /robot1/tf [/tf, or the only one]");
+  const auto add_frame = [&app](const char* name, std::string& frame, bool& is_named,
+                                const std::string& what) {
+    app.add_option(name, frame, what + "; if tf lacks the default, the only choice is taken")
+        ->check([](const std::string& given) {
+          return without_slash(given).empty() ? std::string("must not be empty") : std::string();
+        })
+        ->each([&is_named](const std::string&) { is_named = true; })
+        ->capture_default_str();
+  };
   Frames& frames = options.intake.frames;
-  app.add_option("--map-frame", frames.map, "frame of the localisation")->capture_default_str();
-  app.add_option("--odom-frame", frames.odom, "frame of odometry")->capture_default_str();
-  app.add_option("--base-frame", frames.base, "frame of the robot")->capture_default_str();
+  add_frame("--map-frame", frames.map, options.named_frames.map, "frame of the localisation");
+  add_frame("--odom-frame", frames.odom, options.named_frames.odom, "frame of odometry");
+  add_frame("--base-frame", frames.base, options.named_frames.base, "frame of the robot");
   app.add_option("--scan-time-offset", options.intake.scan_time_offset_s,
                  "added to the stamps of scans [s]")
       ->check(CLI::Range(-1.0, 1.0))
       ->capture_default_str();
   app.add_option("--transform-timeout", options.intake.transform_timeout_s,
-                 "how much later than its scan a transform may be recorded [s]")
+                 "how far a gap in tf that poses are interpolated over may reach beyond a scan [s]")
       ->check(CLI::Range(0.0, 3600.0))
       ->capture_default_str();
   app.add_option(

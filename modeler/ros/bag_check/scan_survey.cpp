@@ -85,6 +85,8 @@ void ScanSurvey::look_at_noise(const sensor_msgs::LaserScan& scan) {
 
 double ScanSurvey::median_period_s() const { return median_of(periods_s_); }
 
+double ScanSurvey::median_delay_s() const { return median_of(delays_s_); }
+
 double ScanSurvey::median_range_m() const {
   return median_of({some_ranges_m_.begin(), some_ranges_m_.end()});
 }

@@ -29,6 +29,8 @@ class ScanSurvey {
   double beam_step_rad() const { return beam_step_rad_; }
   /// Returns the median time between scans; 0 for fewer than two scans.
   double median_period_s() const;
+  /// Returns the median time from stamp to recording.
+  double median_delay_s() const;
   /// Returns the median of the usable ranges; 0 if there are none.
   double median_range_m() const;
   /// Estimates the standard deviation of a range from second differences, which on a plane are

@@ -12,68 +12,117 @@ namespace {
 
 constexpr double kGapsOfLines = 4.0;  // interpolation is still good at half the rate of the lines
 constexpr double kMinGap_s = 0.25;
+constexpr double kLate_s = 0.5;  // live, lines wait; less is the way of a localisation
+constexpr std::size_t kMaxNamed = 5;
 
-}  // namespace
+using Links = std::map<std::string, LoggedLink>;
 
-void TfSurvey::add(const tf2_msgs::TFMessage& message, bool is_static) {
-  ++messages_;
-  for (const geometry_msgs::TransformStamped& transform : message.transforms) {
-    const std::string parent = without_slash(transform.header.frame_id);
-    const std::string child = without_slash(transform.child_frame_id);
-    if (parent != transform.header.frame_id || child != transform.child_frame_id) ++with_slash_;
-    Link& link = links_[child];
-    link.parents.insert(parent);
-    link.is_static |= is_static;
-    const double stamp_s = transform.header.stamp.toSec();
-    if (link.transforms++ == 0) {
-      link.first_s = link.newest_s = stamp_s;
-      continue;
-    }
-    if (stamp_s < link.newest_s) ++link.backwards;
-    link.longest_gap_s = std::max(link.longest_gap_s, stamp_s - link.newest_s);
-    link.newest_s = std::max(link.newest_s, stamp_s);
-  }
+std::string name_of(const Links::value_type& link) {
+  return shown(*link.second.parents.begin()) + " -> " + shown(link.first);
 }
 
-void TfSurvey::report(const Frames& frames, double line_period_s, BagReport& report) const {
-  if (messages_ == 0) {
-    report.fault("there is no /tf: record it, else the poses of the laser are unknown");
-    return;
+/// Returns the names of the links for which `is_such` holds, five at most.
+template <typename Condition>
+std::string names_of(const Links& links, const Condition& is_such) {
+  std::string names;
+  std::size_t count = 0;
+  for (const auto& link : links) {
+    if (!is_such(link.second)) continue;
+    if (++count <= kMaxNamed) names += (count == 1 ? "" : ", ") + name_of(link);
   }
-  if (with_slash_ > 0) {
-    report.fact(counted(with_slash_, "transform") + " with a leading slash; it is stripped");
+  return count > kMaxNamed ? names + ", ..." : names;
+}
+
+void report_frames(const BagLines& lines, BagReport& report) {
+  const TransformLog& transforms = lines.transforms();
+  const Links& links = transforms.links();
+  report.fact("tf: " + transforms.tree().text(lines.laser_frame()));
+  if (transforms.with_slash() > 0) {
+    report.fact(counted(transforms.with_slash(), "transform") +
+                " with a leading slash; it is stripped");
   }
-  const bool any_static = std::any_of(links_.begin(), links_.end(),
-                                      [](const auto& link) { return link.second.is_static; });
-  if (!any_static) report.fact("there is no /tf_static");
-  for (const std::string& frame : {frames.odom, frames.base}) {
-    const auto link = links_.find(frame);
-    if (link == links_.end()) continue;
-    report.fact("the bag holds " + *link->second.parents.begin() + " -> " + frame + " (" +
-                counted(link->second.transforms, "transform") +
+  if (std::none_of(links.begin(), links.end(),
+                   [](const auto& link) { return link.second.fixed > 0; })) {
+    report.fact("there is no /tf_static");
+  }
+  for (const std::string& frame : {lines.frames().odom, lines.frames().base}) {
+    const auto link = links.find(frame);
+    if (link == links.end()) continue;
+    report.fact("the bag holds " + name_of(*link) + " (" +
+                counted(link->second.moving + link->second.fixed, "transform") +
                 "): if a localisation runs during the replay, leave it out with tf_drop_frames");
   }
-  report_links(line_period_s, report);
 }
 
-void TfSurvey::report_links(double line_period_s, BagReport& report) const {
+void report_late(const Links& links, double scan_delay_s, BagReport& report) {
+  for (const auto& link : links) {
+    const double late_s = link.second.delay_s() - scan_delay_s;
+    if (link.second.moving == 0 || late_s < kLate_s) continue;
+    report.warning(name_of(link) + " was recorded " + number(late_s, 1) +
+                   " s later than scans of its time. A bag does not mind; a live node needs a "
+                   "~transform_timeout above that");
+  }
+}
+
+void report_order(const Links& links, double line_period_s, BagReport& report) {
   const double limit_s = std::max(kMinGap_s, kGapsOfLines * line_period_s);
-  for (const auto& [child, link] : links_) {
-    const std::string name = *link.parents.begin() + " -> " + child;
-    if (link.parents.size() > 1) {
-      report.warning("frame " + child + " has " + std::to_string(link.parents.size()) +
+  for (const auto& link : links) {
+    const LoggedLink& l = link.second;
+    if (l.parents.size() > 1) {
+      report.warning("frame " + shown(link.first) + " has " + std::to_string(l.parents.size()) +
                      " parents in tf: two sources publish its pose");
     }
-    if (link.backwards > link.transforms / 10) {
-      report.warning("stamps of " + name + " go backwards " + std::to_string(link.backwards) +
-                     " times: two sources, or time jumps");
+    if (l.backwards > l.moving / 10) {
+      report.warning("stamps of " + name_of(link) + " go backwards by more than a second for " +
+                     counted(l.backwards, "transform") +
+                     ", which are left out: two sources, or time jumps");
     }
-    if (!link.is_static && link.longest_gap_s > limit_s) {
-      report.warning("tf has a gap of " + number(link.longest_gap_s, 2) + " s in " + name +
+    if (l.longest_gap_s > limit_s) {
+      report.warning("tf has a gap of " + number(l.longest_gap_s, 2) + " s in " + name_of(link) +
                      ", longer than " + number(kGapsOfLines, 0) +
                      " lines: poses in it are interpolated, and wrong if anything moved");
     }
   }
+}
+
+}  // namespace
+
+std::vector<std::string> transform_warnings(const TransformLog& transforms) {
+  std::vector<std::string> warnings;
+  const TransformCounts& counts = transforms.counts();
+  const Links& links = transforms.links();
+  if (counts.refused > 0) {
+    warnings.push_back(counted(counts.refused, "transform") + " cannot be used, the last one " +
+                       counts.defect);
+  }
+  if (counts.repeated > 0) {
+    std::string text = counted(counts.repeated, "transform") +
+                       " repeat the stamp of one before, of " +
+                       names_of(links, [](const LoggedLink& link) { return link.repeated > 0; }) +
+                       "; the first counts";
+    text += counts.differing == 0 ? ": is each recorded twice?"
+                                  : ". " + std::to_string(counts.differing) +
+                                        " of them say something else: two nodes publish one frame";
+    warnings.push_back(text);
+  }
+  const auto is_both = [](const LoggedLink& link) { return link.fixed > 0 && link.moving > 0; };
+  const std::string both = names_of(links, is_both);
+  if (!both.empty())
+    warnings.push_back("on /tf_static and on /tf: " + both + "; the moving one counts");
+  return warnings;
+}
+
+void report_transforms(const BagLines& lines, const ScanSurvey& scans, BagReport& report) {
+  const TransformLog& transforms = lines.transforms();
+  for (const std::string& choice : lines.choices()) report.warning(choice);
+  if (transforms.messages() == 0) {
+    report.fault("there is no /tf: record it, else the poses of the laser are unknown");
+    return;
+  }
+  report_frames(lines, report);
+  for (const std::string& warning : transform_warnings(transforms)) report.warning(warning);
+  report_late(transforms.links(), scans.median_delay_s(), report);
+  report_order(transforms.links(), scans.median_period_s(), report);
 }
 
 }  // namespace ribbon_mapper

@@ -5,7 +5,12 @@
 #include <ros/master.h>
 
 #include <cmath>
+#include <iomanip>
+#include <sstream>
 #include <utility>
+
+#include "modeler/ros/intake/frame_tree.hpp"
+#include "modeler/ros/messages/message_conversions.hpp"
 
 namespace ribbon_mapper {
 namespace {
@@ -17,6 +22,19 @@ std::string apart(double seconds) {
   const double days = std::abs(seconds) / 86400.0;
   if (days < 1.0) return std::to_string(std::llround(std::abs(seconds))) + " s";
   return std::to_string(std::llround(days)) + " days";
+}
+
+/// Returns where else there are transforms, as behind a robot's name.
+std::string others_tf() {
+  ros::master::V_TopicInfo topics;
+  if (!ros::master::getTopics(topics)) return "";
+  std::string others;
+  for (const ros::master::TopicInfo& topic : topics) {
+    if (topic.datatype == "tf2_msgs/TFMessage" && topic.name.rfind("/tf", 0) != 0)
+      others += " " + shown(topic.name);
+  }
+  if (others.empty()) return "";
+  return "; there are transforms on" + others + ": remap /tf and /tf_static to these";
 }
 
 }  // namespace
@@ -42,9 +60,11 @@ std::optional<std::string> clock_fault(bool use_sim_time, const ros::Time& clock
 void InputWatch::saw(const sensor_msgs::LaserScan& scan) {
   ++scans_;
   newest_stamp_ = scan.header.stamp;
+  if (scan.header.frame_id.size() <= kMaxFrameName)
+    laser_frame_ = without_slash(scan.header.frame_id);
 }
 
-std::string InputWatch::complaint(const LineIntake& intake, std::size_t transforms) {
+std::string InputWatch::complaint(const LineIntake& intake, const TransformBuffer& tf) {
   const bool silent = std::exchange(scans_before_, scans_) == scans_;
   const bool stuck = std::exchange(done_before_, intake.done()) == intake.done();
   if (scans_ == 0) return without_scans();
@@ -52,8 +72,38 @@ std::string InputWatch::complaint(const LineIntake& intake, std::size_t transfor
   if (const auto fault = clock_fault(ros::Time::isSimTime(), ros::Time::now(), newest_stamp_)) {
     return "No lines are taken: " + *fault;
   }
-  if (transforms == 0) return "No lines are taken: there is nothing on /tf yet";
-  return intake.waits_for().empty() ? "" : "No lines are taken, waiting: " + intake.waits_for();
+  if (tf.received() == 0) return "No lines are taken: there is nothing on /tf yet" + others_tf();
+  if (intake.waits_for().empty()) return "";
+  return "No lines are taken, waiting: " + intake.waits_for() + frames_advice(intake, tf);
+}
+
+/// Returns which frames there are, and how to set the parameters if there is one choice.
+std::string InputWatch::frames_advice(const LineIntake& intake, const TransformBuffer& tf) const {
+  const FrameTree tree(tf.core());
+  const Frames& frames = intake.options().frames;
+  if (missing_frames(tree, frames).empty() && tree.has(laser_frame_)) return "";
+  const std::string text = "; tf has " + tree.text(laser_frame_);
+  const auto chosen = choose_frames(tree, laser_frame_, frames, {});
+  const std::string settings =
+      chosen ? settings_text(frames, *chosen, "", "_frame:=") : std::string();
+  if (!settings.empty()) return text + ": set " + settings;
+  return text + ": are ~map_frame, ~odom_frame and ~base_frame right?";
+}
+
+std::string InputWatch::lateness(const LineIntake& intake, const TransformBuffer& tf) const {
+  double latest_s = intake.options().transform_timeout_s;
+  std::string latest;
+  for (const std::string& frame : FrameTree(tf.core()).chain_from(laser_frame_)) {
+    const double delay_s = tf.delay_s(frame);
+    if (delay_s <= latest_s || delay_s > kClockTolerance_s) continue;
+    latest_s = delay_s, latest = frame;
+  }
+  if (latest.empty()) return "";
+  std::ostringstream text;
+  text << std::fixed << std::setprecision(1) << "Transforms of " << shown(latest) << " come "
+       << latest_s << " s after their stamps, and lines wait "
+       << intake.options().transform_timeout_s << " s: raise ~transform_timeout";
+  return text.str();
 }
 
 std::string InputWatch::without_scans() const {
@@ -68,9 +118,9 @@ std::string InputWatch::without_scans() const {
     if (topic.name == scan_topic_) {
       return topic.datatype == "sensor_msgs/LaserScan"
                  ? text + ": it is published, but nothing has come yet"
-                 : text + ": it carries " + topic.datatype + ", not sensor_msgs/LaserScan";
+                 : text + ": it carries " + shown(topic.datatype) + ", not sensor_msgs/LaserScan";
     }
-    if (topic.datatype == "sensor_msgs/LaserScan") others += " " + topic.name;
+    if (topic.datatype == "sensor_msgs/LaserScan") others += " " + shown(topic.name);
   }
   return text + ": nobody publishes it" + (others.empty() ? "" : "; there are scans on" + others);
 }

@@ -9,6 +9,7 @@
 #include <string>
 
 #include "modeler/ros/intake/line_intake.hpp"
+#include "modeler/ros/intake/transform_buffer.hpp"
 
 namespace ribbon_mapper {
 
@@ -29,15 +30,21 @@ class InputWatch {
 
   /// Returns what is missing, in words. Returns an empty text if lines have come in since the last
   /// call and are not held up. Asks the master who publishes scans if there are none.
-  std::string complaint(const LineIntake& intake, std::size_t transforms);
+  std::string complaint(const LineIntake& intake, const TransformBuffer& tf);
+
+  /// Returns which transforms come later after their stamps than lines wait, and by how much; an
+  /// empty text if none do.
+  std::string lateness(const LineIntake& intake, const TransformBuffer& tf) const;
 
  private:
   std::string without_scans() const;
+  std::string frames_advice(const LineIntake& intake, const TransformBuffer& tf) const;
 
   std::string scan_topic_;
   std::size_t scans_ = 0, scans_before_ = 0;
   Time done_before_{0};
   ros::Time newest_stamp_;
+  std::string laser_frame_;
 };
 
 }  // namespace ribbon_mapper

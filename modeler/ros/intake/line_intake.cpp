@@ -18,6 +18,11 @@ void LineIntake::add(const sensor_msgs::LaserScan& scan, const Moment& now) {
   admit_held(now);
   const Run run = line.defect ? Run::current : sorter_.sort(scan.header.stamp);
   if (run == Run::current) {
+    if (line.defect) {
+      gaps_.saw_unusable();
+    } else {
+      log_.missing(gaps_.saw(scan.header.seq, scan.header.stamp));
+    }
     admit(std::move(line));
   } else if (run == Run::next) {
     held_.push_back(std::move(line));
@@ -33,7 +38,7 @@ void LineIntake::admit(WaitingLine line) {
 /// Admits lines held back once their run has begun, or when the clock shows no jump after all.
 void LineIntake::admit_held(const Moment& now) {
   while (!held_.empty()) {
-    const double waited_s = (now.wall - held_.front().arrived.wall).toSec();
+    const double waited_s = now.wall.toSec() - held_.front().arrived.wall.toSec();
     if (!held_are_current_ && waited_s < kMaxWaitForClock_s) break;
     admit(std::move(held_.front()));
     held_.pop_front();
@@ -87,6 +92,7 @@ void LineIntake::restart(const std::string& reason) {
   waiting_.clear();
   waits_for_.clear();
   newest_ = done_ = Time(0);
+  gaps_.restart();
 }
 
 void LineIntake::start_next_run(const std::string& reason) {
@@ -99,8 +105,9 @@ void LineIntake::start_next_run(const std::string& reason) {
 /// Requires both clocks to have advanced. Simulated time stops in a pause, when no transform can
 /// come; in a fast replay it runs ahead of the wall time that the processes need.
 bool LineIntake::expired(const WaitingLine& line, const Moment& now) const {
-  return (now.wall - line.arrived.wall).toSec() > options_.transform_timeout_s &&
-         (now.data - line.arrived.data).toSec() > options_.transform_timeout_s;
+  // A ros::Duration cannot be longer than 68 years, and throws.
+  return now.wall.toSec() - line.arrived.wall.toSec() > options_.transform_timeout_s &&
+         now.data.toSec() - line.arrived.data.toSec() > options_.transform_timeout_s;
 }
 
 void LineIntake::drop_front(const std::string& reason, const std::string& detail) {

@@ -10,6 +10,7 @@
 #include <optional>
 #include <string>
 
+#include "modeler/ros/intake/line_gaps.hpp"
 #include "modeler/ros/intake/line_log.hpp"
 #include "modeler/ros/intake/line_poses.hpp"
 #include "modeler/ros/intake/run_sorter.hpp"
@@ -69,6 +70,8 @@ class LineIntake {
   /// Does the same when simulated time was set back, and goes on with the lines held back.
   void start_next_run(const std::string& reason);
 
+  /// Returns the settings.
+  const IntakeOptions& options() const { return options_; }
   /// Returns the number of lines that wait for transforms.
   std::size_t waiting() const { return waiting_.size(); }
   /// Returns what the oldest line is waiting for; empty if it is not waiting.
@@ -93,6 +96,7 @@ class LineIntake {
   IntakeOptions options_;
   LineLog& log_;
   RunSorter sorter_;
+  LineGaps gaps_;
   std::deque<WaitingLine> waiting_;
   std::deque<WaitingLine> held_;  ///< of the next run
   bool held_are_current_ = false;

@@ -6,8 +6,15 @@
 
 namespace ribbon_mapper {
 namespace {
+constexpr std::size_t kMaxReasons = 100;
 constexpr std::size_t kNewest = 1 << 15;  // lines: 14 minutes at 40 Hz
 }  // namespace
+
+void LineLog::dropped(const std::string& reason, const std::string& detail) {
+  const bool is_known = dropped_.size() < kMaxReasons || dropped_.count(reason) != 0;
+  ++dropped_[is_known ? reason : "other reasons"];
+  newest_drop_ = detail.empty() ? reason : reason + " (" + detail + ")";
+}
 
 void LineLog::handled(const std::string& outcome, double seconds) {
   ++handled_[outcome];

@@ -7,6 +7,8 @@
 #include <string>
 #include <vector>
 
+#include "modeler/ros/intake/line_gaps.hpp"
+
 namespace ribbon_mapper {
 
 /// Statistics of the scan lines: how many came, what became of them, how long they took.
@@ -15,9 +17,12 @@ class LineLog {
   /// Counts a line that came in.
   void received() { ++received_; }
   /// Counts a line that never reached the model. `detail` tells people what was wrong with it.
-  void dropped(const std::string& reason, const std::string& detail = "") {
-    ++dropped_[reason];
-    newest_drop_ = detail.empty() ? reason : reason + " (" + detail + ")";
+  /// After a hundred different reasons, further ones are counted together.
+  void dropped(const std::string& reason, const std::string& detail = "");
+  /// Counts lines that never came in.
+  void missing(const LineGap& gap) {
+    lost_ += gap.lost;
+    if (gap.silent_s > 0.0) ++gaps_, silent_s_ += gap.silent_s;
   }
   /// Counts a line that reached the model and the time that it took; see to_string(LineResult) for
   /// `outcome`.
@@ -25,6 +30,12 @@ class LineLog {
 
   /// Returns the number of lines that came in.
   std::size_t lines() const { return received_; }
+  /// Returns the number of lines that were sent, by header.seq, and never came in.
+  std::size_t lost() const { return lost_; }
+  /// Returns the number of gaps between lines in which none was sent, as far as header.seq tells.
+  std::size_t gaps() const { return gaps_; }
+  /// Returns the total time of these gaps.
+  double silent_s() const { return silent_s_; }
   /// Returns the number of lines dropped.
   std::size_t dropped_lines() const;
   /// Returns reason and detail of the newest drop; empty if there was none.
@@ -42,6 +53,8 @@ class LineLog {
   std::size_t received_ = 0;
   std::map<std::string, std::size_t> dropped_, handled_;
   std::string newest_drop_;
+  std::size_t lost_ = 0, gaps_ = 0;
+  double silent_s_ = 0.0;
   double busy_s_ = 0.0;
   std::vector<float> newest_us_;  ///< ring
   std::size_t next_ = 0;

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "modeler/ros/intake/line_poses.hpp"
 
-#include <tf2/exceptions.h>
+#include <stdexcept>
 
 #include "modeler/ros/messages/message_conversions.hpp"
 
@@ -17,17 +17,17 @@ struct LookupFailure {
 MissingTransform missing_transform(const tf2::BufferCore& tf, const std::string& target,
                                    const std::string& source, const std::string& detail) {
   for (const std::string& frame : {source, target}) {
-    if (!tf._frameExists(frame)) return {"frame " + frame + " is not in tf", detail};
+    if (!tf._frameExists(frame)) return {"frame " + shown(frame) + " is not in tf", detail};
   }
-  return {"no transform from " + source + " to " + target + " at its time", detail};
+  return {"no transform from " + shown(source) + " to " + shown(target) + " at its time", detail};
 }
 
 Pose lookup(const tf2::BufferCore& tf, const std::string& target, const std::string& source,
             Time time) {
   try {
     return pose_of(tf.lookupTransform(target, source, stamp_of(time)).transform);
-  } catch (const tf2::TransformException& error) {
-    throw LookupFailure{missing_transform(tf, target, source, error.what())};
+  } catch (const std::runtime_error& error) {  // of tf2; of ROS if times are 68 years apart
+    throw LookupFailure{missing_transform(tf, target, source, shown(error.what(), 300))};
   }
 }
 

@@ -6,6 +6,8 @@
 
 #include <utility>
 
+#include "modeler/ros/messages/message_conversions.hpp"
+
 namespace ribbon_mapper {
 
 TfFeed::TfFeed(ros::NodeHandle& node, TransformBuffer& buffer, std::function<void()> check_clock)
@@ -21,8 +23,31 @@ TfFeed::TfFeed(ros::NodeHandle& node, TransformBuffer& buffer, std::function<voi
 
 void TfFeed::take(const tf2_msgs::TFMessage& message, bool is_static) {
   check_clock_();
-  const std::size_t refused = buffer_.add(message, is_static);
-  if (refused > 0) ROS_WARN_THROTTLE(10.0, "%zu transforms on /tf are not usable.", refused);
+  buffer_.add(message, is_static);
+  warn();
+}
+
+/// Says each thing once: a publisher that is wrong is wrong a hundred times a second.
+void TfFeed::warn() {
+  const TransformCounts& counts = buffer_.counts();
+  if (counts.refused > 0 && !std::exchange(has_warned_.refused, true)) {
+    ROS_WARN("A transform cannot be used: %s. Further ones are counted on /diagnostics.",
+             counts.defect.c_str());
+  }
+  if (counts.repeated > 0 && !std::exchange(has_warned_.repeated, true)) {
+    ROS_WARN(
+        "Transforms are repeated with the same stamp; the first one counts. Do two nodes "
+        "publish one frame, or does a bag play twice? They are counted on /diagnostics.");
+  }
+  if (counts.differing > 0 && !std::exchange(has_warned_.differing, true)) {
+    ROS_WARN(
+        "Repeated transforms say something else than the first: two nodes publish one frame, "
+        "and do not agree. Stop one of them, or see ~tf_drop_frames.");
+  }
+  if (has_warned_.contradicted == buffer_.contradicted().size()) return;
+  has_warned_.contradicted = buffer_.contradicted().size();
+  ROS_WARN("Frame %s is on /tf_static and on /tf: the moving one counts.",
+           shown(*buffer_.contradicted().rbegin()).c_str());
 }
 
 }  // namespace ribbon_mapper

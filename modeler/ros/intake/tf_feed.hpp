@@ -25,7 +25,13 @@ class TfFeed {
 
  private:
   void take(const tf2_msgs::TFMessage& message, bool is_static);
+  void warn();
 
+  struct Warned {
+    bool refused = false, repeated = false, differing = false;
+    std::size_t contradicted = 0;  ///< frames
+  };
+  Warned has_warned_;
   TransformBuffer& buffer_;
   std::function<void()> check_clock_;
   ros::Subscriber moving_, fixed_;

@@ -43,7 +43,8 @@ geometry_msgs::Quaternion quaternion_message(const Pose& pose) {
 
 void require_frame(const std::string& given, const std::string& frame) {
   if (without_slash(given) == frame) return;
-  throw std::invalid_argument("it is in frame '" + given + "', must be in '" + frame + "'");
+  throw std::invalid_argument("it is in frame '" + shown(given) + "', must be in '" + shown(frame) +
+                              "'");
 }
 
 }  // namespace
@@ -60,6 +61,14 @@ ros::Time stamp_of(Time time) {
 
 std::string without_slash(const std::string& frame) {
   return !frame.empty() && frame.front() == '/' ? frame.substr(1) : frame;
+}
+
+std::string shown(const std::string& text, std::size_t max_length) {
+  std::string cut = text.substr(0, max_length);
+  for (char& c : cut) {
+    if (static_cast<unsigned char>(c) < ' ' || c == '\x7f') c = '?';
+  }
+  return text.size() > max_length ? cut + "..." : cut;
 }
 
 Pose pose_of(const geometry_msgs::Transform& transform) {
@@ -100,7 +109,8 @@ geometry_msgs::Vector3 vector_message(const Eigen::Vector3d& vector) {
 std::optional<std::string> find_defect(const sensor_msgs::LaserScan& scan) {
   if (scan.header.stamp.isZero()) return "stamp is zero";
   if (scan.header.stamp.sec > kLatestStamp_s) return "stamp is beyond what tf can look up";
-  if (scan.header.frame_id.empty()) return "frame is empty";
+  if (without_slash(scan.header.frame_id).empty()) return "frame is empty";
+  if (scan.header.frame_id.size() > kMaxFrameName) return "name of its frame is too long";
   if (scan.ranges.empty()) return "no ranges";
   const double count = static_cast<double>(scan.ranges.size());
   // In some drivers angle_max is the angle of the last beam, in others that of the one after it.

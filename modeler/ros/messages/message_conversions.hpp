@@ -10,6 +10,7 @@
 #include <ros/time.h>
 #include <sensor_msgs/LaserScan.h>
 
+#include <cstddef>
 #include <optional>
 #include <string>
 #include <vector>
@@ -25,6 +26,13 @@ ros::Time stamp_of(Time time);
 
 /// Returns the name of a frame without its leading slash, which tf2 refuses. Old bags have it.
 std::string without_slash(const std::string& frame);
+
+/// The longest name of a frame that is accepted. Longer ones fill logs and memory.
+constexpr std::size_t kMaxFrameName = 256;
+
+/// Returns a name or text from outside as it is shown in messages: cut, and without control
+/// characters.
+std::string shown(const std::string& text, std::size_t max_length = 80);
 
 /// Returns a transform as a pose; its quaternion need not have unit length.
 Pose pose_of(const geometry_msgs::Transform& transform);

@@ -38,9 +38,9 @@ struct NodeParameters {
     const std::string config = from.required_text("config", "a YAML file, such as config/pr2.yaml");
     p.output = std::filesystem::absolute(from.required_text("output", "the preset to write"));
     Frames& frames = p.intake.frames;
-    frames.map = without_slash(from.text("map_frame", frames.map));
-    frames.odom = without_slash(from.text("odom_frame", frames.odom));
-    frames.base = without_slash(from.text("base_frame", frames.base));
+    frames.map = from.frame("map_frame", frames.map);
+    frames.odom = from.frame("odom_frame", frames.odom);
+    frames.base = from.frame("base_frame", frames.base);
     p.intake.transform_timeout_s = from.number("transform_timeout", 2.0, 0.1, 60.0);
     p.intake.scan_time_offset_s = from.number("scan_time_offset", 0.0, -1.0, 1.0);
     p.tf_drop_frames = frames_from(from.text("tf_drop_frames", ""));

@@ -18,6 +18,7 @@
 #include "modeler/ros/node/model_services.hpp"
 #include "modeler/ros/node/modeler_diagnostics.hpp"
 #include "modeler/ros/node/strict_parameters.hpp"
+#include "modeler/ros/node/turn_check.hpp"
 
 namespace ribbon_mapper {
 namespace {
@@ -37,9 +38,9 @@ struct NodeParameters {
     NodeParameters p;
     const std::string config = from.required_text("config", "a YAML file, such as config/pr2.yaml");
     Frames& frames = p.intake.frames;
-    frames.map = without_slash(from.text("map_frame", frames.map));
-    frames.odom = without_slash(from.text("odom_frame", frames.odom));
-    frames.base = without_slash(from.text("base_frame", frames.base));
+    frames.map = from.frame("map_frame", frames.map);
+    frames.odom = from.frame("odom_frame", frames.odom);
+    frames.base = from.frame("base_frame", frames.base);
     p.intake.transform_timeout_s = from.number("transform_timeout", 2.0, 0.1, 60.0);
     p.intake.scan_time_offset_s = from.number("scan_time_offset", 0.0, -1.0, 1.0);
     p.tf_cache_s = from.number("tf_cache", 120.0, 10.0, 3600.0);
@@ -70,6 +71,7 @@ class ModelerNode {
   void take_lines();
   void report();
   void warn_of_drops();
+  void warn_of_missing_lines();
 
   NodeParameters parameters_;
   ros::NodeHandle node_, private_node_{"~"};
@@ -85,7 +87,9 @@ class ModelerNode {
   ros::WallTimer line_timer_, report_timer_;
   InputWatch watch_;
   bool stopped_ = false;  ///< by a time jump, until ~reset
+  TurnCheck turns_;
   std::size_t reports_ = 0, reported_lines_ = 0, reported_drops_ = 0;
+  std::size_t reported_lost_ = 0, reported_gaps_ = 0;
 };
 
 ModelerNode::ModelerNode(const NodeParameters& parameters)
@@ -95,7 +99,7 @@ ModelerNode::ModelerNode(const NodeParameters& parameters)
       tf_(parameters.tf_cache_s, parameters.tf_drop_frames),
       tf_feed_(node_, tf_, [this] { check_clock(); }),
       publisher_(private_node_, parameters.intake.frames.map),
-      diagnostics_(keeper_, intake_, node_.resolveName("scan")),
+      diagnostics_(keeper_, intake_, tf_, node_.resolveName("scan")),
       watch_(node_.resolveName("scan")) {
   reset_ = private_node_.advertiseService("reset", &ModelerNode::on_reset, this);
   save_ = private_node_.advertiseService("save", &ModelerNode::on_save, this);
@@ -122,14 +126,19 @@ void ModelerNode::on_scan(const sensor_msgs::LaserScan& scan) {
 void ModelerNode::take_lines() {
   check_clock();
   const Moment now = Moment::now();
-  while (const std::optional<ReadyLine> line = intake_.take_next(tf_.core(), now))
+  while (const std::optional<ReadyLine> line = intake_.take_next(tf_.core(), now)) {
     keeper_.add(*line);
+    turns_.add(line->beams.stamp, line->poses.T_odom_base_first);
+  }
 }
 
 void ModelerNode::on_corrected_trajectory(const nav_msgs::Path& path) {
   take_lines();
   try {
-    keeper_.correct(trajectory_of(path, parameters_.intake.frames.map));
+    const std::vector<StampedPose> trajectory = trajectory_of(path, parameters_.intake.frames.map);
+    keeper_.correct(trajectory);
+    if (const auto text = turns_.contradiction(trajectory))
+      ROS_WARN("Corrected, but %s", text->c_str());
   } catch (const std::invalid_argument& error) {
     ROS_ERROR("Corrected trajectory of %zu poses refused: %s. The model stays as it was.",
               path.poses.size(), error.what());
@@ -179,6 +188,8 @@ void ModelerNode::on_time_jump() {
 
 void ModelerNode::empty_model() {
   keeper_.reset();
+  turns_.clear();
+  reported_lost_ = reported_gaps_ = 0;
   reported_lines_ = reported_drops_ = 0;
 }
 
@@ -187,7 +198,8 @@ void ModelerNode::report() {
   diagnostics_.publish();
   if (++reports_ % 5 != 0) return;  // counted, not throttled: simulated time may stand still
   warn_of_drops();
-  const std::string complaint = watch_.complaint(intake_, tf_.received());
+  warn_of_missing_lines();
+  const std::string complaint = watch_.complaint(intake_, tf_);
   if (!complaint.empty()) {
     ROS_WARN("%s", complaint.c_str());
   } else if (std::exchange(reported_lines_, keeper_.log().lines()) != keeper_.log().lines()) {
@@ -203,6 +215,25 @@ void ModelerNode::warn_of_drops() {
   const std::size_t before = std::exchange(reported_drops_, dropped);
   if (dropped == before) return;
   ROS_WARN("A line is dropped: %s. %zu dropped so far.", log.newest_drop().c_str(), dropped);
+  const std::string lateness = watch_.lateness(intake_, tf_);
+  if (!lateness.empty()) ROS_WARN("%s", lateness.c_str());
+}
+
+void ModelerNode::warn_of_missing_lines() {
+  const LineLog& log = keeper_.log();
+  const std::size_t lost = log.lost(), gaps = log.gaps();
+  if (std::exchange(reported_lost_, lost) != lost) {
+    ROS_WARN(
+        "Lines are lost before they come here: header.seq has gaps. %zu lost so far. Did this "
+        "node or its computer stall, or is the network too slow?",
+        lost);
+  }
+  if (std::exchange(reported_gaps_, gaps) != gaps) {
+    ROS_WARN(
+        "No lines for %.1f s in %zu gaps so far, by their stamps: the laser was silent, or "
+        "lines were lost.",
+        log.silent_s(), gaps);
+  }
 }
 
 }  // namespace

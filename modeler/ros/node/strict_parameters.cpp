@@ -9,6 +9,8 @@
 #include <stdexcept>
 #include <vector>
 
+#include "modeler/ros/messages/message_conversions.hpp"
+
 namespace ribbon_mapper {
 namespace {
 
@@ -54,6 +56,13 @@ std::string StrictParameters::filled_text(const std::string& key, const std::str
   return value;
 }
 
+std::string StrictParameters::frame(const std::string& key, const std::string& fallback) {
+  const std::string name = without_slash(text(key, fallback));
+  if (name.empty()) refuse(full_name(key), "is empty: set it to a frame of tf, or leave it out");
+  if (name.size() > kMaxFrameName) refuse(full_name(key), "is too long for the name of a frame");
+  return name;
+}
+
 double StrictParameters::number(const std::string& key, double fallback, double min, double max) {
   const std::string name = full_name(key);
   XmlRpcValue value;
@@ -91,7 +100,7 @@ void StrictParameters::refuse_unknown() const {
     if (known_.count(key) != 0) continue;
     std::string list;
     for (const std::string& known : known_) list += " ~" + known;
-    refuse(prefix + key, "is unknown; there are" + list);
+    refuse(prefix + shown(key), "is unknown; there are" + list);
   }
 }
 

@@ -20,6 +20,9 @@ class StrictParameters {
                           const std::string& meaning);
   /// Returns a text parameter. Throws if it is not set; the error says what it means.
   std::string required_text(const std::string& key, const std::string& meaning);
+  /// Returns the name of a frame without its leading slash, or `fallback` if it is not set. Throws
+  /// if it is empty or too long.
+  std::string frame(const std::string& key, const std::string& fallback);
   /// Returns a number from `min` to `max`, or `fallback` if it is not set. Integers are accepted.
   double number(const std::string& key, double fallback, double min, double max);
   /// Returns a whole number from `min` to `max`, or `fallback` if it is not set.

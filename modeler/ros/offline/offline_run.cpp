@@ -12,28 +12,52 @@
 #include "modeler/io/tum.hpp"
 #include "modeler/program/figure.hpp"
 #include "modeler/program/installed_files.hpp"
+#include "modeler/ros/bag_check/number_text.hpp"
+#include "modeler/ros/bag_check/tf_survey.hpp"
 #include "modeler/ros/node/model_keeper.hpp"
+#include "modeler/ros/node/turn_check.hpp"
 #include "modeler/storage/file_set.hpp"
 #include "modeler/surface/outline.hpp"
 
 namespace ribbon_mapper {
 namespace {
 
-void take_lines(const OfflineOptions& options, ModelKeeper& keeper, OfflineSummary& summary,
-                const ProgressCallback& progress) {
+/// Says which lines never came into the recording.
+void add_missing_lines(const LineLog& log, OfflineSummary& summary) {
+  summary.lost_lines = log.lost();
+  if (log.lost() > 0) {
+    summary.notes.push_back(counted(log.lost(), "line") +
+                            " were lost before they were recorded: header.seq has gaps");
+  }
+  if (log.gaps() > 0) {
+    summary.notes.push_back(counted(log.gaps(), "gap") + " between lines, " +
+                            number(log.silent_s(), 1) + " s in all: the laser was silent");
+  }
+}
+
+void take_lines(const OfflineOptions& options, ModelKeeper& keeper, TurnCheck& turns,
+                OfflineSummary& summary, const ProgressCallback& progress) {
   BagLines lines(options.bags, options.bag, keeper.log());
   summary.scan_topic = lines.scan_topic();
   Time first{0};
   while (const std::optional<ReadyLine> line = lines.next()) {
     keeper.add(*line);
+    turns.add(line->beams.stamp, line->poses.T_odom_base_first);
     if (first == Time(0)) first = line->beams.stamp;
     summary.recording_s = to_seconds(line->beams.stamp - first);
     progress({keeper.log().lines(), lines.line_count(), keeper.modeler().statistics().ribbons,
               summary.recording_s, keeper.log().busy_s()});
   }
+  const TransformLog& transforms = lines.transforms();
+  summary.repeated_transforms = transforms.counts().repeated;
+  summary.refused_transforms = transforms.counts().refused;
+  summary.notes = lines.choices();
+  for (const std::string& warning : transform_warnings(transforms))
+    summary.notes.push_back(warning);
+  add_missing_lines(keeper.log(), summary);
 }
 
-void require_lines(const ModelKeeper& keeper) {
+void require_lines(const ModelKeeper& keeper, const OfflineSummary& summary) {
   const LineLog& log = keeper.log();
   if (log.lines() == 0) throw std::runtime_error("there is no scan in the bag");
   if (!keeper.modeler().trajectory().empty()) return;
@@ -45,6 +69,7 @@ void require_lines(const ModelKeeper& keeper) {
     why += "\n  " + std::to_string(count) + " x " + outcome;
   }
   if (!log.newest_drop().empty()) why += "\nthe last one: " + log.newest_drop();
+  for (const std::string& note : summary.notes) why += "\n" + note;
   throw std::runtime_error(why + "\n`bag_check` says more");
 }
 
@@ -103,13 +128,15 @@ OfflineRun model_bags(const OfflineOptions& options, const ProgressCallback& pro
   OfflineRun run;
   for (const auto& bag : options.bags) run.summary.bags.push_back(bag.filename().string());
   run.summary.config = portable_name(find_installed_file(options.config)).string();
-  take_lines(options, keeper, run.summary, progress);
-  require_lines(keeper);
+  TurnCheck turns;
+  take_lines(options, keeper, turns, run.summary, progress);
+  require_lines(keeper, run.summary);
 
   run.planes_before =
       with_outlines(keeper.modeler().planes_as_built(), config.surface.bridged_gap_m);
   const auto poses = final_poses(options, keeper.modeler(), run.summary.trajectory);
   if (!poses.empty()) keeper.correct(poses);
+  if (const auto text = turns.contradiction(poses)) run.summary.notes.push_back(*text);
   run.planes_after = keeper.planes();
   run.stripe_gap_m = config.surface.stripe_gap_m;
   run.frame = options.bag.intake.frames.map;

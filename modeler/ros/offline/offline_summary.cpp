@@ -30,10 +30,14 @@ std::string summary_to_json(const OfflineSummary& s, const std::string& run_id) 
       {"config", s.config},
       {"scan_topic", s.scan_topic},
       {"trajectory", s.trajectory},
+      {"notes", s.notes},
       {"lines", s.lines},
+      {"lost_lines", s.lost_lines},
       {"dropped_lines", s.dropped_lines.empty() ? none : Json(s.dropped_lines)},
       {"dropped_lines_total", dropped_total(s)},
       {"handled_lines", s.handled_lines.empty() ? none : Json(s.handled_lines)},
+      {"repeated_transforms", s.repeated_transforms},
+      {"refused_transforms", s.refused_transforms},
       {"ribbons", s.ribbons},
       {"planes_before", s.planes_before},
       {"planes", s.planes},
@@ -53,6 +57,7 @@ std::string summary_text(const OfflineSummary& s) {
   std::ostringstream text;
   text.imbue(std::locale::classic());
   text << std::fixed << std::setprecision(1);
+  for (const std::string& note : s.notes) text << "WARNING " << note << "\n";
   text << s.lines << " lines, " << dropped_total(s) << " dropped, " << s.ribbons << " ribbons\n";
   for (const auto& [reason, count] : s.dropped_lines) {
     text << "  dropped: " << count << " x " << reason << "\n";

@@ -17,15 +17,20 @@ struct OfflineSummary {
   std::string scan_topic;         ///< of the laser
   std::string trajectory;         ///< where the poses of the final model are from
 
+  std::vector<std::string> notes;  ///< what was chosen, and what is wrong with the transforms
+
   std::size_t lines = 0;                             ///< scans received
   std::map<std::string, std::size_t> dropped_lines;  ///< by reason
   std::map<std::string, std::size_t> handled_lines;  ///< by outcome, see LineResult
-  std::size_t ribbons = 0;                           ///< in the model
-  std::size_t planes_before = 0;                     ///< as built, with recorded poses
-  std::size_t planes = 0;                            ///< in the final model
-  std::size_t duplicates = 0;                        ///< in the final model, see DuplicateRule
-  std::size_t points = 0;                            ///< on the planes
-  std::optional<double> residual_m_median;           ///< of these points, see median_residual_m()
+  std::size_t lost_lines = 0;               ///< before they were recorded, see LineLog::lost()
+  std::size_t repeated_transforms = 0;      ///< left out: stamped as one before
+  std::size_t refused_transforms = 0;       ///< left out: unusable
+  std::size_t ribbons = 0;                  ///< in the model
+  std::size_t planes_before = 0;            ///< as built, with recorded poses
+  std::size_t planes = 0;                   ///< in the final model
+  std::size_t duplicates = 0;               ///< in the final model, see DuplicateRule
+  std::size_t points = 0;                   ///< on the planes
+  std::optional<double> residual_m_median;  ///< of these points, see median_residual_m()
 
   double recording_s = 0.0;      ///< from the first line to the last
   double wall_s = 0.0;           ///< elapsed time, reading included

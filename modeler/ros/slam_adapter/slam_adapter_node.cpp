@@ -32,9 +32,9 @@ struct NodeParameters {
     StrictParameters from;
     NodeParameters p;
     p.source = from.required_text("source", "cartographer, rtabmap or tf");
-    p.frames.map = from.text("map_frame", p.frames.map);
-    p.frames.odom = from.text("odom_frame", p.frames.odom);
-    p.frames.base = from.text("base_frame", p.frames.base);
+    p.frames.map = from.frame("map_frame", p.frames.map);
+    p.frames.odom = from.frame("odom_frame", p.frames.odom);
+    p.frames.base = from.frame("base_frame", p.frames.base);
     p.period_s = from.number("period", 5.0, 0.1, 3600.0);
     p.trajectory_id = from.integer("trajectory_id", 0, 0, 1000000);
     from.refuse_unknown();
