@@ -7,10 +7,20 @@
 #include <assimp/scene.h>
 
 #include <assimp/Importer.hpp>
+#include <cctype>
+#include <filesystem>
 #include <stdexcept>
 
 namespace ribbon_mapper::sim {
 namespace {
+
+/// Formats that Gazebo reads, too. In others, assimp 5.2 may abort or hang on a damaged file (PLY,
+/// OFF), so that the whole program would end.
+bool is_readable(const std::string& path) {
+  std::string extension = std::filesystem::path(path).extension().string();
+  for (char& c : extension) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+  return extension == ".dae" || extension == ".obj" || extension == ".stl";
+}
 
 void append(const aiMesh& mesh, const aiMatrix4x4& T_file_node, MeshShape& out) {
   const int first = static_cast<int>(out.vertices_m.size());
@@ -51,12 +61,14 @@ void centre(MeshShape& mesh) {
 }  // namespace
 
 MeshShape load_mesh(const std::string& path, const MeshSelection& selection) {
+  if (!is_readable(path))
+    throw std::runtime_error("mesh " + path + ": is read as .dae, .obj or .stl; convert it");
   Assimp::Importer importer;
   importer.SetPropertyBool(AI_CONFIG_IMPORT_COLLADA_IGNORE_UP_DIRECTION, true);  // as Gazebo does
   const aiScene* scene = importer.ReadFile(path, aiProcess_Triangulate);
   if (!scene || !scene->mRootNode)
     throw std::runtime_error("mesh " + path + ": " + importer.GetErrorString() +
-                             "; give a mesh file that assimp reads (dae, stl, obj, ...)");
+                             "; export it again, as .dae, .obj or .stl");
   MeshShape mesh;
   append(*scene, *scene->mRootNode, aiMatrix4x4(), selection.submesh, mesh);
   if (mesh.triangles.empty())

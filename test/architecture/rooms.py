@@ -26,7 +26,7 @@ _METHOD = [f"modeler/{name}" for name in _CORE]
 _MODELER = _METHOD + ["modeler"]
 _TOOLS = _MODELER + ["modeler/calibration", "modeler/io", "modeler/program"]
 _ROS = ["modeler/ros/messages", "modeler/ros/intake", "modeler/ros/node"]
-_SIM = ["sim/shapes", "sim/world", "sim/rays", "sim/robot", "sim/tour", "sim/truth"]
+_SIM = ["sim/shapes", "sim/sdf", "sim/world", "sim/rays", "sim/robot", "sim/tour", "sim/truth"]
 _POSE = ["modeler/geometry/time.hpp", "modeler/geometry/pose.hpp"]
 
 ROOMS = {
@@ -47,7 +47,8 @@ ROOMS = {
     # The simulator has its own beam geometry, so that an error in one cannot hide in the other.
     "sim/shapes": Room(_POSE, ["Eigen", "assimp"]),
     "sim/rays": Room(_POSE + ["sim/shapes"], ["Eigen", "BulletCollision", "embree3"]),
-    "sim/world": Room(_POSE + ["sim/shapes", "sim/rays"], ["Eigen", "BulletCollision", "sdf"]),
+    "sim/sdf": Room(_POSE + ["sim/shapes"], ["Eigen", "sdf"]),
+    "sim/world": Room(_POSE + ["sim/shapes", "sim/sdf", "sim/rays"], ["Eigen", "BulletCollision"]),
     "sim/robot": Room(_POSE + ["sim/shapes", "sim/rays", "sim/world"], ["Eigen"]),
     "sim/truth": Room(_POSE + ["sim/shapes", "sim/rays", "sim/world", "sim/robot"], ["Eigen"]),
     "sim/tour": Room(_POSE + ["sim/shapes", "sim/rays", "sim/world", "sim/robot"],
