@@ -16,9 +16,9 @@ struct MeshSelection {
   Eigen::Vector3d scale = Eigen::Vector3d::Ones();  ///< factors along the axes of the file
 };
 
-/// Reads a mesh of the format dae, obj or stl. Applies the transforms of its nodes and keeps the
-/// file's own axes. Throws std::runtime_error if the file is of another format, cannot be read,
-/// lacks the part, or has no triangles.
+/// Reads a mesh in any format that assimp reads. Applies the transforms of its nodes and keeps the
+/// file's own axes. Throws std::runtime_error that names the file if it cannot be read, lacks the
+/// part, or has no triangles, also where assimp itself crashes or hangs on it.
 MeshShape load_mesh(const std::string& path, const MeshSelection& selection);
 
 }  // namespace ribbon_mapper::sim

@@ -45,7 +45,7 @@ ROOMS = {
     "modeler/ros/bag_check": Room(_TOOLS + _ROS + ["modeler/ros/bag"], ANY),
     "modeler/ros/offline": Room(_TOOLS + _ROS + ["modeler/ros/bag", "modeler/ros/bag_check"], ANY),
     # The simulator has its own beam geometry, so that an error in one cannot hide in the other.
-    "sim/shapes": Room(_POSE, ["Eigen", "assimp"]),
+    "sim/shapes": Room(_POSE, ["Eigen", "assimp", "sys"]),
     "sim/rays": Room(_POSE + ["sim/shapes"], ["Eigen", "BulletCollision", "embree3"]),
     "sim/sdf": Room(_POSE + ["sim/shapes"], ["Eigen", "sdf"]),
     "sim/world": Room(_POSE + ["sim/shapes", "sim/sdf", "sim/rays"], ["Eigen", "BulletCollision"]),

@@ -48,7 +48,8 @@ TEST(RouteView, ARouteOutsideOfTheWorldIsRefused) {
 
 TEST(RouteView, AWorldOfNothingButAGroundPlaneIsSeen) {
   EXPECT_EQ(refusal(kGround, route_at(0, 0)), "none");
-  EXPECT_EQ(refusal(kRoom + kGround, route_at(5, 0)), "none") << "the room from outside";
+  EXPECT_EQ(refusal(kRoom + kGround, Route(0.5, 1.0, {{7, 0}, {6, 0}})), "none")
+      << "the room from outside";
 }
 
 }  // namespace

@@ -8,6 +8,7 @@ namespace ribbon_mapper::sim {
 namespace {
 
 namespace fs = std::filesystem;
+using Eigen::Vector3d;
 using testing::AllOf;
 using testing::HasSubstr;
 

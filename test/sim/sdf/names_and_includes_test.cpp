@@ -44,7 +44,7 @@ TEST_F(WorldFile, LinksAndCollisionsOfEqualNamesAreRenamed) {
 }
 
 TEST_F(WorldFile, NamesThatLibsdformatRefusesAreTaken) {
-  for (const std::string& name : {"window::link_2", "a::b::c", "::", "__x__", "world", "", "a:b"}) {
+  for (const std::string name : {"window::link_2", "a::b::c", "::", "__x__", "world", "", "a:b"}) {
     EXPECT_NEAR(range_ahead(load(model("m", link(name, "3 0 0 0 0 0")))), 2.5, 1e-9) << name;
     EXPECT_NEAR(range_ahead(load(model(name, link("l", "3 0 0 0 0 0")))), 2.5, 1e-9) << name;
   }
@@ -66,7 +66,7 @@ TEST_F(WorldFile, PosesMayReferToLinksFramesAndJoints) {
                                sdf_box("1 1 1") + "</geometry></collision></link>") +
                 "</world></sdf>");
   };
-  for (const std::string& version : {"1.7", "1.8", "1.9", "1.10"}) {
+  for (const std::string version : {"1.7", "1.8", "1.9", "1.10"}) {
     EXPECT_NEAR(range_ahead(at("__model__", version)), 2.5, 1e-9);
     EXPECT_NEAR(range_ahead(at("a", version)), 3.5, 1e-9);
     EXPECT_NEAR(range_ahead(at("f", version)), 4.0 - 0.5 + 0.5, 1e-9);
@@ -75,10 +75,10 @@ TEST_F(WorldFile, PosesMayReferToLinksFramesAndJoints) {
 }
 
 TEST_F(WorldFile, GazebosSunAndGroundPlaneNeedNoFolder) {
-  for (const std::string& uri : {"model://sun", "model:///sun", "model://sun/"})
+  for (const std::string uri : {"model://sun", "model:///sun", "model://sun/"})
     EXPECT_NEAR(range_ahead(load(kBoxAhead + "<include><uri>" + uri + "</uri></include>")), 4.0,
                 1e-9);
-  for (const std::string& uri : {"model://ground_plane", "model:///ground_plane"}) {
+  for (const std::string uri : {"model://ground_plane", "model:///ground_plane"}) {
     const World world =
         load("<include><uri>" + uri + "</uri><pose>0 0 -2 0 0 0</pose></include>" + kBoxAhead);
     const auto below = world.cast({0, 0, 0}, -Eigen::Vector3d::UnitZ(), 30.0);

@@ -81,7 +81,7 @@ TEST_F(WorldFile, StateOfIncludedModelsCounts) {
 }
 
 TEST_F(WorldFile, StateThatCannotBeReadIsRefused) {
-  for (const std::string& values : {"3 0 0", "nan 0 0 0 0 0", "there"})
+  for (const char* values : {"3 0 0", "nan 0 0 0 0 0", "there"})
     EXPECT_THAT(error_of_content(kBox + state(part("model", "box", pose(values)))),
                 AllOf(HasSubstr("'box'"), HasSubstr("<pose>")));
 }
