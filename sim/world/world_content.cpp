@@ -11,7 +11,6 @@ namespace {
 
 // A laser of 30 m range on a robot of 0.65 m. Outdoor worlds of Gazebo are up to a kilometre wide.
 constexpr double kWidest_m = 2000.0;
-constexpr double kHighest_m = 200.0;
 constexpr double kNarrowest_m = 0.1;
 constexpr double kFarthest_m = 10'000.0;
 constexpr std::size_t kMostNames = 5;
@@ -65,7 +64,7 @@ Eigen::AlignedBox3d plausible_extent(const std::string& path, const Tessellation
   require(is_finite, "a corner of a shape is not finite; check the poses and meshes");
   if (extent.isEmpty()) return extent;
   const Eigen::Vector3d size = extent.sizes();
-  require(size.maxCoeff() <= kWidest_m && size.z() <= kHighest_m,
+  require(size.maxCoeff() <= kWidest_m,
           "it spans " + size_text(extent) + ", too large for a laser of 30 m range; is it in " +
               "millimetres? SDF is in metres; scale meshes by <scale>0.001 0.001 0.001</scale>");
   require(size.maxCoeff() >= kNarrowest_m,

@@ -89,7 +89,7 @@ const std::vector<Unseen> kUnseen{
 
 class UnseenPart : public WorldFile, public testing::WithParamInterface<Unseen> {};
 INSTANTIATE_TEST_SUITE_P(All, UnseenPart, testing::ValuesIn(kUnseen),
-                         [](const auto& info) { return info.param.name; });
+                         [](const auto& part) { return part.param.name; });
 
 TEST_P(UnseenPart, DoesNotMatter) {
   const Unseen& part = GetParam();
