@@ -36,7 +36,7 @@ struct World::State {
       : tessellation(tessellated(sdf.shapes)),
         extent(plausible_extent(path, tessellation)),
         content("world " + path + ": " + content_text(sdf, extent)),
-        warnings(warning_texts(sdf.notes)),
+        warnings(warning_texts(sdf.notes, extent)),
         rays(make_ray_caster(caster, tessellation.triangles)),
         contacts(sdf.shapes) {}
 

@@ -11,6 +11,7 @@ namespace {
 
 // A laser of 30 m range on a robot of 0.65 m. Outdoor worlds of Gazebo are up to a kilometre wide.
 constexpr double kWidest_m = 2000.0;
+constexpr double kHighest_m = 200.0;
 constexpr double kNarrowest_m = 0.1;
 constexpr double kFarthest_m = 10'000.0;
 constexpr std::size_t kMostNames = 5;
@@ -80,7 +81,7 @@ std::string content_text(const SdfShapes& sdf, const Eigen::AlignedBox3d& extent
          "; left out: " + left_out_text(sdf.notes);
 }
 
-std::vector<std::string> warning_texts(const SdfNotes& notes) {
+std::vector<std::string> warning_texts(const SdfNotes& notes, const Eigen::AlignedBox3d& extent_m) {
   std::vector<std::string> texts(notes.warnings.begin(), notes.warnings.end());
   if (texts.size() > kMostNames) {
     const std::size_t more = texts.size() - kMostNames;
@@ -89,6 +90,9 @@ std::vector<std::string> warning_texts(const SdfNotes& notes) {
   }
   if (notes.renamed > 0)
     texts.push_back(counted(notes.renamed, "element") + " of equal names renamed, as Gazebo does");
+  if (!extent_m.isEmpty() && extent_m.sizes().z() > kHighest_m)
+    texts.push_back("it spans " + size_text(extent_m) +
+                    ", higher than a laser sees; is a mesh in millimetres?");
   return texts;
 }
 

@@ -19,6 +19,6 @@ Eigen::AlignedBox3d plausible_extent(const std::string& path, const Tessellation
 std::string content_text(const SdfShapes& sdf, const Eigen::AlignedBox3d& extent_m);
 
 /// Returns the warnings as lines.
-std::vector<std::string> warning_texts(const SdfNotes& notes);
+std::vector<std::string> warning_texts(const SdfNotes& notes, const Eigen::AlignedBox3d& extent_m);
 
 }  // namespace ribbon_mapper::sim

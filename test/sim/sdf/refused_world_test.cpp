@@ -95,12 +95,17 @@ TEST_F(WorldFile, AWorldInMillimetresIsRefused) {
               AllOf(HasSubstr("8000 x 6000 x 2500 m"), HasSubstr("millimetres")));
   EXPECT_THAT(error_of_content(kBoxAhead + sdf_block("wall", {-4000, 3000, 0}, {4000, 3100, 2500})),
               HasSubstr("millimetres"));
-  write("cupboard.obj", "v 0 0 0\nv 800 0 0\nv 0 600 1900\nf 1 2 3\n");
+  write("cupboard.obj", "v 0 0 0\nv 800 0 0\nv 0 600 2100\nf 1 2 3\n");
   EXPECT_THAT(error_of_content(kBoxAhead + shape(sdf_mesh("cupboard.obj"))),
               HasSubstr("<scale>0.001 0.001 0.001</scale>"));
   EXPECT_THAT(error_of_content(shape(sdf_box("0.008 0.006 0.0025"))), HasSubstr("metres"));
   EXPECT_THAT(error_of_content(sdf_model("far", "500000 0 0 0 0 0", sdf_box("1 1 1"))),
               HasSubstr("more than 10 km"));
+}
+
+TEST_F(WorldFile, AHighWorldIsAWarning) {
+  EXPECT_THAT(load(kBoxAhead + sdf_block("wall", {-800, 0, 0}, {800, 0.1, 1900})).warnings(),
+              testing::ElementsAre(HasSubstr("is a mesh in millimetres?")));
 }
 
 TEST_F(WorldFile, ALargeFlatWorldIsFine) {
