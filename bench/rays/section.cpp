@@ -14,7 +14,7 @@
 #include "sim/rays/ray_caster.hpp"
 #include "sim/robot/hokuyo.hpp"
 #include "sim/robot/pr2.hpp"
-#include "sim/world/sdf_reader.hpp"
+#include "sim/sdf/sdf_reader.hpp"
 
 namespace ribbon_mapper::bench {
 namespace {

@@ -7,7 +7,9 @@
 #include <fstream>
 #include <mutex>
 #include <optional>
+#include <set>
 #include <stdexcept>
+#include <utility>
 
 #include "eval/experiment/calibrate.hpp"
 #include "eval/experiment/experiment_options.hpp"
@@ -28,8 +30,17 @@ namespace {
 using namespace ribbon_mapper;
 using namespace ribbon_mapper::eval;
 
+/// Says on stderr what each world of these runs holds, once.
+void show_worlds(const std::vector<RunOptions>& runs) {
+  std::set<std::pair<std::string, std::string>> shown;
+  for (const RunOptions& run : runs)
+    if (shown.emplace(run.world, run.route).second)
+      std::fprintf(stderr, "%s", world_text(run).c_str());
+}
+
 void run_one(const ExperimentOptions& options) {
   create_directory_for_files(options.output);  // fails before the tour rather than after it
+  show_worlds(options.runs);
   Summary summary;
   {
     ProgressBar bar;
@@ -44,6 +55,7 @@ void run_one(const ExperimentOptions& options) {
 
 /// Prints lines of runs.jsonl, for gathering runs from machines without a shared disk.
 void print_lines(const ExperimentOptions& options) {
+  show_worlds(options.runs);
   ProgressBar bar;
   const auto line_of = [](const RunOptions& run, const ProgressCallback& progress) {
     return run_line(make_run(run, progress).summary, inputs_of(run));
@@ -66,6 +78,7 @@ void make_missing_runs(const ExperimentOptions& options, RunLog& log) {
                 options.runs.size());
   }
   if (missing.empty()) return;
+  show_worlds(missing);
   std::ofstream timings(options.output / "timings.jsonl", std::ios::app);
   std::mutex mutex;
   ProgressBar bar;
@@ -105,6 +118,7 @@ void calibrate(const ExperimentOptions& options) {
     run.route =
         find_installed_file(run.world).replace_extension().string() + "_calibration.route.yaml";
   }
+  show_worlds({run});
   std::optional<Calibration> calibration;
   {
     ProgressBar bar;

@@ -3,7 +3,6 @@
 #include "eval/experiment/experiment_options.hpp"
 
 #include <CLI/CLI.hpp>
-#include <cstdlib>
 #include <regex>
 #include <set>
 #include <sstream>
@@ -12,7 +11,7 @@
 #include "sim/rays/ray_caster.hpp"
 #include "sim/robot/hokuyo.hpp"
 #include "sim/robot/tilt_profile.hpp"
-#include "sim/world/resource_finder.hpp"
+#include "sim/sdf/resource_finder.hpp"
 
 namespace ribbon_mapper::eval {
 namespace {
@@ -83,6 +82,7 @@ void add_run_options(CLI::App& app, RunOptions& run) {
   app.add_option("--caster", run.caster, "library that casts the laser's rays: bullet or embree")
       ->check(accepted_by(sim::ray_caster_kind_from))
       ->capture_default_str();
+  app.add_flag("--visuals", run.visuals, "take models without collision from their visuals");
   app.add_option("--model-path", run.model_paths,
                  "folder for model:// URIs, searched before GAZEBO_MODEL_PATH; may be repeated");
 }
@@ -176,13 +176,6 @@ std::string joined(int argc, const char* const* argv) {
   return command;
 }
 
-/// Appends the folders of the environment to those of the command line.
-void add_gazebo_paths(std::vector<std::string>& model_paths) {
-  const char* list = std::getenv("GAZEBO_MODEL_PATH");
-  if (list == nullptr) return;
-  for (const std::string& path : sim::split_path_list(list)) model_paths.push_back(path);
-}
-
 }  // namespace
 
 std::variant<ExperimentOptions, int> parse_experiment_options(int argc, const char* const* argv) {
@@ -200,7 +193,7 @@ std::variant<ExperimentOptions, int> parse_experiment_options(int argc, const ch
   } catch (const CLI::ParseError& error) {
     return app.exit(error) == 0 ? 0 : 2;
   }
-  add_gazebo_paths(common.model_paths);
+  sim::add_gazebo_paths(common.model_paths);
   options.runs = combinations(lists, common);
   options.is_series = !lists.seeds.empty() || options.runs.size() > 1;
   options.with_figure = !lists.no_figure;

@@ -31,12 +31,21 @@ sim::World load_world(const RunOptions& run) {
   static std::mutex mutex;
   const std::lock_guard<std::mutex> lock(mutex);
   return sim::World::load(find_installed_file(run.world).string(), run.model_paths,
-                          sim::ray_caster_kind_from(run.caster));
+                          sim::ray_caster_kind_from(run.caster), run.visuals);
 }
 
 sim::Route load_route(const RunOptions& run) {
   const sim::Route route = sim::Route::load(route_path(run).string());
   return run.speed_m_s ? route.at_speed(*run.speed_m_s) : route;
+}
+
+std::string world_text(const RunOptions& run) {
+  const sim::World world = load_world(run);
+  const sim::Tour tour(world, load_route(run), tour_config(run));
+  std::string text = world.content() + "; " + tour.view() + "\n";
+  for (const std::string& warning : world.warnings())
+    text += "warning: world " + run.world + ": " + warning + "\n";
+  return text;
 }
 
 Results make_run(const RunOptions& run, const ProgressCallback& progress) {

@@ -16,6 +16,10 @@ ModelerConfig modeler_config(const RunOptions& run);
 /// Loads the world; it must not be shared by threads. Throws as sim::World::load().
 sim::World load_world(const RunOptions& run);
 
+/// Returns what the world of a run holds and what its route sees, with warnings, as lines for the
+/// user. Throws as make_run().
+std::string world_text(const RunOptions& run);
+
 /// Loads the route at the speed of the options. Throws as sim::Route::load().
 sim::Route load_route(const RunOptions& run);
 

@@ -37,8 +37,8 @@ std::string quoted(const std::string& text) {
 
 /// Returns everything but the seed, in the order of comes_before().
 auto conditions_of(const RunOptions& r) {
-  return std::tie(r.world, r.route, r.config, r.model_paths, r.noise, r.tilt, r.caster, r.beams,
-                  r.speed_m_s, r.deskew, r.drift);
+  return std::tie(r.world, r.route, r.config, r.model_paths, r.visuals, r.noise, r.tilt, r.caster,
+                  r.beams, r.speed_m_s, r.deskew, r.drift);
 }
 
 /// Name and value of an option on the command line.
@@ -87,6 +87,7 @@ std::string command_of(const RunOptions& run) {
   add("--beams", text_of(run.beams), "");
   add("--speed", text_of(run.speed_m_s), "");
   add("--deskew", text_of(run.deskew), "");
+  if (run.visuals) command << " --visuals";
   for (const std::string& path : run.model_paths) command << " --model-path " << quoted(path);
   return command.str();
 }

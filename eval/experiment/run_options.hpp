@@ -16,7 +16,8 @@ struct RunOptions {
   std::string route;                           ///< file; if empty, <world>.route.yaml
   std::string config = "config/pr2.yaml";      ///< preset of the modeler
   std::vector<std::string> model_paths;        ///< folders for model:// URIs
-  std::uint64_t seed = 1;                      ///< seed of all noise
+  bool visuals = false;    ///< takes models without collision from their visuals
+  std::uint64_t seed = 1;  ///< seed of all noise
   /// Scale of the localisation noise, 1 for gmapping's. 3 reproduces the 110 planes of the paper.
   double drift = 3.0;
   std::string noise = "datasheet";  ///< name of the range noise, see sim::range_noise_from()

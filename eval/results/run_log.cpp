@@ -30,6 +30,7 @@ RunOptions run_of(const Json& json) {
   run.noise = json.at("noise").get<std::string>();
   run.tilt = json.at("tilt").get<std::string>();
   run.caster = json.value("caster", run.caster);
+  run.visuals = json.value("visuals", run.visuals);
   run.beams = optional_of<int>(json.at("beams"));
   run.speed_m_s = optional_of<double>(json.at("speed_m_s"));
   run.deskew = optional_of<bool>(json.at("deskew"));

@@ -122,17 +122,19 @@ Json value_or_null(const std::optional<Value>& value) {
 }
 
 Json to_json(const RunOptions& run) {
-  return {{"world", run.world},
-          {"route", run.route},
-          {"config", text_or_null(run.config)},
-          {"noise", text_or_null(run.noise)},
-          {"tilt", text_or_null(run.tilt)},
-          {"caster", text_or_null(run.caster)},
-          {"beams", value_or_null(run.beams)},
-          {"speed_m_s", value_or_null(run.speed_m_s)},
-          {"deskew", value_or_null(run.deskew)},
-          {"drift", run.drift},
-          {"seed", run.seed}};
+  Json json{{"world", run.world},
+            {"route", run.route},
+            {"config", text_or_null(run.config)},
+            {"noise", text_or_null(run.noise)},
+            {"tilt", text_or_null(run.tilt)},
+            {"caster", text_or_null(run.caster)},
+            {"beams", value_or_null(run.beams)},
+            {"speed_m_s", value_or_null(run.speed_m_s)},
+            {"deskew", value_or_null(run.deskew)},
+            {"drift", run.drift},
+            {"seed", run.seed}};
+  if (run.visuals) json["visuals"] = true;
+  return json;
 }
 
 Json times_of(const Summary& s) {

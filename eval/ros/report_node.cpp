@@ -14,7 +14,7 @@
 #include "modeler/program/run_program.hpp"
 #include "modeler/ros/node/strict_parameters.hpp"
 #include "modeler/storage/file_set.hpp"
-#include "sim/world/resource_finder.hpp"
+#include "sim/sdf/resource_finder.hpp"
 
 namespace ribbon_mapper::eval {
 namespace {
@@ -24,6 +24,7 @@ constexpr double kProgressPeriod_s = 5.0;
 struct NodeParameters {
   std::filesystem::path output;
   std::string world, model_path;
+  bool visuals;
   double timeout_s;
   Summary summary;  ///< conditions of the run, from the launch file
 
@@ -33,6 +34,7 @@ struct NodeParameters {
     p.output = std::filesystem::absolute(from.required_text("output", "a folder for the results"));
     p.world = from.text("world", "");
     p.model_path = from.text("model_path", "");
+    p.visuals = from.flag("visuals", false);
     p.timeout_s = from.number("timeout", 120.0, 1.0, 1e6);
     RunOptions& run = p.summary.run;
     run.world = portable_name(p.world).string();
@@ -53,7 +55,8 @@ std::vector<std::vector<Eigen::Vector2d>> outlines_of(const NodeParameters& para
   std::string model_path = parameters.model_path;
   if (const char* list = std::getenv("GAZEBO_MODEL_PATH")) model_path += ":" + std::string(list);
   try {
-    return world_outlines(sim::World::load(parameters.world, sim::split_path_list(model_path)));
+    return world_outlines(sim::World::load(parameters.world, sim::split_path_list(model_path),
+                                           sim::RayCasterKind::bullet, parameters.visuals));
   } catch (const std::runtime_error& error) {
     ROS_WARN("The figure will not show the world: %s", error.what());
     return {};

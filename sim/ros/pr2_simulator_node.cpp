@@ -89,8 +89,12 @@ int main(int argc, char** argv) {
   ros::NodeHandle node;  // outlives the try block: logging ends with the last handle
   try {
     const SimulatorParameters parameters = SimulatorParameters::read();
-    const World world = World::load(parameters.world, parameters.model_paths, parameters.caster);
+    const World world = World::load(parameters.world, parameters.model_paths, parameters.caster,
+                                    parameters.visuals);
     Tour tour(world, Route::load(parameters.route), parameters.tour);
+    ROS_INFO("%s; %s", world.content().c_str(), tour.view().c_str());
+    for (const std::string& warning : world.warnings())
+      ROS_WARN("world %s: %s", parameters.world.c_str(), warning.c_str());
     TourPublisher publisher(node, world, tour, parameters.frames);
     // Connections are made by callbacks; latched messages go out with them.
     ros::AsyncSpinner spinner(1);

@@ -10,6 +10,7 @@
 #include "modeler/program/run_program.hpp"
 #include "modeler/storage/atomic_file.hpp"
 #include "sim/ros/tour_recorder.hpp"
+#include "sim/sdf/resource_finder.hpp"
 
 namespace {
 
@@ -18,6 +19,8 @@ using namespace ribbon_mapper;
 struct Options {
   std::string world, route, bag, truth;
   std::string tilt = "manip", caster = "bullet";
+  std::vector<std::string> model_paths;
+  bool visuals = false;
   double keyframe_step_m = 0.0;
   sim::TourConfig tour;
   sim::RecorderOptions recorder;
@@ -30,6 +33,9 @@ void add_options(CLI::App& app, Options& options) {
   app.add_option("--route", options.route, "route (YAML file)")
       ->required()
       ->check(CLI::ExistingFile);
+  app.add_option("--model-path", options.model_paths,
+                 "folder for model:// URIs, searched before GAZEBO_MODEL_PATH; may be repeated");
+  app.add_flag("--visuals", options.visuals, "take models without collision from their visuals");
   app.add_option("--bag", options.bag, "bag to write")->required();
   app.add_option("--truth", options.truth, "file for the true poses of the base (TUM)");
   app.add_option("--keyframes", options.keyframe_step_m,
@@ -54,9 +60,14 @@ void add_options(CLI::App& app, Options& options) {
 
 void run(Options& options) {
   options.tour.tilt = sim::TiltProfileConfig::preset(options.tilt);
+  sim::add_gazebo_paths(options.model_paths);
   const sim::World world =
-      sim::World::load(options.world, {}, sim::ray_caster_kind_from(options.caster));
+      sim::World::load(options.world, options.model_paths,
+                       sim::ray_caster_kind_from(options.caster), options.visuals);
   sim::Tour tour(world, sim::Route::load(options.route), options.tour);
+  std::fprintf(stderr, "%s; %s\n", world.content().c_str(), tour.view().c_str());
+  for (const std::string& warning : world.warnings())
+    std::fprintf(stderr, "warning: world %s: %s\n", options.world.c_str(), warning.c_str());
   std::vector<StampedPose> truth = sim::record_tour(tour, options.recorder, options.bag);
   std::printf("%zu lines in %s\n", truth.size(), options.bag.c_str());
   if (options.truth.empty()) return;

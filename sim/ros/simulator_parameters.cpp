@@ -52,6 +52,7 @@ SimulatorParameters SimulatorParameters::read() {
   p.world = from.required_text("world", "an SDF file, such as worlds/apartment.sdf");
   p.route = from.required_text("route", "a YAML file, such as worlds/apartment.route.yaml");
   p.model_paths = split(from.text("model_path", gazebo_model_path()), ':');
+  p.visuals = from.flag("visuals", false);
   p.caster = ray_caster_kind_from(from.text("caster", "bullet"));
   p.tour.seed =
       static_cast<std::uint64_t>(from.integer("seed", 1, 0, std::numeric_limits<int>::max()));

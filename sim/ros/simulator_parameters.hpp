@@ -21,6 +21,7 @@ struct SimulatorParameters {
   std::string world;                     ///< SDF file
   std::string route;                     ///< YAML file
   std::vector<std::string> model_paths;  ///< folders for `model://` URIs
+  bool visuals;                          ///< takes models without collision from their visuals
   RayCasterKind caster;                  ///< library that casts the rays
   TourConfig tour;                       ///< sensors, noise and seed
   SimulatorFrames frames;                ///< names of the frames

@@ -17,8 +17,8 @@ struct MeshSelection {
 };
 
 /// Reads a mesh in any format that assimp reads. Applies the transforms of its nodes and keeps the
-/// file's own axes. Throws std::runtime_error if the file cannot be read, lacks the part, or has no
-/// triangles.
+/// file's own axes. Throws std::runtime_error that names the file if it cannot be read, lacks the
+/// part, or has no triangles, also where assimp itself crashes or hangs on it.
 MeshShape load_mesh(const std::string& path, const MeshSelection& selection);
 
 }  // namespace ribbon_mapper::sim

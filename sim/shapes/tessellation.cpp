@@ -13,6 +13,7 @@ using Eigen::Vector3d;
 
 constexpr double kSagitta_m = 0.00019;
 constexpr double kPlaneHalfSide_m = 100.0;
+constexpr int kMostChords = 1440;  // a circle of 40 m; a larger sphere would take gigabytes
 constexpr double kPi = 3.14159265358979323846;
 
 /// Adds the faces and triangles of one shape, transformed to map.
@@ -20,12 +21,14 @@ class Builder {
  public:
   Builder(const Shape& shape, Tessellation& tessellation) : shape_(shape), out_(tessellation) {}
 
-  void start_planar(const std::string& side, const Vector3d& normal, const Vector3d& point) {
+  void start_planar(const std::string& side, const Vector3d& normal, const Vector3d& point,
+                    bool bounded = true) {
     const Vector3d n = shape_.T_map_shape.linear() * normal;
-    out_.faces.push_back({shape_.name + "/" + side, n, -n.dot(shape_.T_map_shape * point), true});
+    out_.faces.push_back(
+        {shape_.name + "/" + side, n, -n.dot(shape_.T_map_shape * point), true, bounded});
   }
   void start_curved(const std::string& side) {
-    out_.faces.push_back({shape_.name + "/" + side, Vector3d::UnitZ(), 0.0, false});
+    out_.faces.push_back({shape_.name + "/" + side, Vector3d::UnitZ(), 0.0, false, true});
   }
   void triangle(const Vector3d& a, const Vector3d& b, const Vector3d& c) {
     const Pose& T = shape_.T_map_shape;
@@ -44,7 +47,7 @@ class Builder {
 /// Returns how many chords approximate a circle with a sagitta below `sagitta_m`.
 int chord_count(double radius_m, double sagitta_m) {
   const double half_angle_rad = std::acos(std::max(0.0, 1.0 - sagitta_m / radius_m));
-  return std::max(12, static_cast<int>(std::ceil(kPi / half_angle_rad)));
+  return static_cast<int>(std::clamp(std::ceil(kPi / half_angle_rad), 12.0, 1.0 * kMostChords));
 }
 
 Vector3d on_circle(double radius_m, int step, int steps, double z_m) {
@@ -102,7 +105,7 @@ void add(const PlaneShape& plane, Builder& builder) {
   const Vector3d normal = plane.normal.normalized();
   const Vector3d u = normal.unitOrthogonal() * kPlaneHalfSide_m;
   const Vector3d v = normal.cross(u);
-  builder.start_planar("surface", normal, Vector3d::Zero());
+  builder.start_planar("surface", normal, Vector3d::Zero(), false);
   builder.quad(-u - v, u - v, u + v, -u + v);
 }
 

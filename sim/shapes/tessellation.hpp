@@ -17,6 +17,7 @@ struct Face {
   Eigen::Vector3d normal = Eigen::Vector3d::UnitZ();  ///< outwards, in map; arbitrary when curved
   double d_m = 0.0;                                   ///< n.p + d = 0 in map
   bool planar = true;                                 ///< false for a curved surface
+  bool bounded = true;                                ///< false for the side of a plane shape
 };
 
 /// A triangle of the world's surface.
@@ -32,7 +33,8 @@ struct Tessellation {
 };
 
 /// Adds the surface of `shape` to `tessellation`. Flat sides are exact, and a curved side lies at
-/// most 0.19 mm below its true surface. A plane becomes a square of 200 m about its own origin.
+/// most 0.19 mm below its true surface, up to radii of 40 m. A plane becomes a square of 200 m
+/// about its own origin.
 void tessellate(const Shape& shape, Tessellation& tessellation);
 
 /// Returns, for each triangle, the index of its coplanar patch, counted from 0. Triangles of a

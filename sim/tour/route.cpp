@@ -17,6 +17,14 @@ namespace {
 constexpr double kPi = 3.14159265358979323846;
 constexpr double kTurnStep_rad = kPi / 90.0;
 constexpr double kDriveStep_m = 0.02;
+constexpr double kSlowest_m_s = 0.001;
+constexpr double kSlowest_rad_s = 0.001;
+// Far beyond any tour of a PR2, whose batteries last two hours. Within these, a tour needs some
+// 300 MB for its noise and for the check against collisions.
+constexpr double kLongest_m = 10'000.0;
+constexpr double kLongest_s = 4.0 * 3600.0;
+constexpr double kFarthest_m = 1e6;
+constexpr std::size_t kMostWaypoints = 10'000;
 
 void require(bool condition, const std::string& message) {
   if (!condition) throw std::invalid_argument("route: " + message);
@@ -66,13 +74,7 @@ Route::Route(double speed_m_s, double turn_rate_rad_s, std::vector<Eigen::Vector
       rest_s_(rest_s),
       waypoints_(std::move(waypoints)),
       end_s_(rest_s) {
-  require(rest_s >= 0.0 && rest_s <= 1000.0, "rest must be in 0..1000 s");
-  require(speed_m_s > 0.0 && speed_m_s <= pr2::kBaseSpeed_m_s, "speed must be in 0..1 m/s");
-  require(turn_rate_rad_s > 0.0 && turn_rate_rad_s <= pr2::kBaseTurnRate_rad_s,
-          "turn_rate must be in 0..2 rad/s");
-  require(waypoints_.size() >= 2, "waypoints must be two or more");
-  for (const Eigen::Vector2d& waypoint : waypoints_)
-    require(waypoint.allFinite(), "waypoints must be finite");
+  require_within_limits();
   end_place_ = waypoints_[0];
   end_yaw_rad_ = heading(waypoints_[0], waypoints_[1]);
   const double first_yaw_rad = end_yaw_rad_;
@@ -83,6 +85,22 @@ Route::Route(double speed_m_s, double turn_rate_rad_s, std::vector<Eigen::Vector
     drive_to(waypoints_[i]);
   }
   if (closed()) turn_to(first_yaw_rad);
+  require(length_m_ <= kLongest_m,
+          "it is longer than 10 km; shorten it (waypoints are in metres, not millimetres)");
+  require(end_s_ <= kLongest_s, "it takes longer than 4 hours; shorten it, or raise its speeds");
+}
+
+void Route::require_within_limits() const {
+  require(rest_s_ >= 0.0 && rest_s_ <= 1000.0, "rest must be in 0..1000 s");
+  require(speed_m_s_ >= kSlowest_m_s && speed_m_s_ <= pr2::kBaseSpeed_m_s,
+          "speed must be in 0.001..1 m/s");
+  require(turn_rate_rad_s_ >= kSlowest_rad_s && turn_rate_rad_s_ <= pr2::kBaseTurnRate_rad_s,
+          "turn_rate must be in 0.001..2 rad/s");
+  require(waypoints_.size() >= 2 && waypoints_.size() <= kMostWaypoints,
+          "waypoints must be two or more, up to 10000");
+  for (const Eigen::Vector2d& waypoint : waypoints_)
+    require(waypoint.allFinite() && waypoint.cwiseAbs().maxCoeff() <= kFarthest_m,
+            "waypoints must be finite, and within 1000 km of the origin");
 }
 
 Route Route::at_speed(double speed_m_s) const {

@@ -44,8 +44,9 @@ class Route {
   static Route load(const std::string& path);
 
   /// Plans the motion; the robot rests for `rest_s` (0 to 1000) before it starts. Throws
-  /// std::invalid_argument if a speed exceeds the PR2's limits (1 m/s, 2 rad/s). Also throws it for
-  /// fewer than two waypoints, or two successive ones in the same place.
+  /// std::invalid_argument if a speed exceeds the PR2's limits (1 m/s, 2 rad/s) or is below 0.001.
+  /// Also throws it for fewer than two waypoints, two successive ones in the same place, and a way
+  /// of more than 10 km or 4 hours.
   Route(double speed_m_s, double turn_rate_rad_s, std::vector<Eigen::Vector2d> waypoints,
         double rest_s = 0.0);
 
@@ -81,6 +82,7 @@ class Route {
     Ramp ramp;
     Pose pose_at(double way) const;
   };
+  void require_within_limits() const;
   Pose end_pose() const;
   void turn_to(double yaw_rad);
   void drive_to(const Eigen::Vector2d& target);

@@ -17,7 +17,8 @@ void check_keys(const YAML::Node& root) {
   for (const auto& entry : root) {
     const std::string key = entry.first.as<std::string>();
     if (!kKeys.count(key))
-      throw std::runtime_error("unknown key '" + key + "'; use speed, turn_rate, waypoints, rest");
+      throw std::runtime_error("unknown key '" + key.substr(0, 60) +
+                               "'; use speed, turn_rate, waypoints, rest");
     if (!left.erase(key)) throw std::runtime_error("key '" + key + "' is given twice");
   }
   left.erase("rest");

@@ -4,6 +4,7 @@
 
 #include "sim/robot/pr2.hpp"
 #include "sim/robot/stream_seed.hpp"
+#include "sim/tour/route_view.hpp"
 
 namespace ribbon_mapper::sim {
 namespace {
@@ -22,6 +23,7 @@ struct Tour::State {
         hokuyo(config.hokuyo, stream_seed(config.seed, kRangeStream)),
         localisation(route, config.localisation, stream_seed(config.seed, kLocalisationStream)) {
     require_free(world, route);
+    view = route_view(world, route, tilt, config.hokuyo);
   }
 
   Pose T_map_laser(Time time) const {
@@ -33,6 +35,7 @@ struct Tour::State {
   TiltProfile tilt;
   Hokuyo hokuyo;
   Localisation localisation;
+  std::string view;
   std::size_t next_line = 0;
 };
 
@@ -40,6 +43,8 @@ Tour::Tour(const World& world, const Route& route, const TourConfig& config)
     : state_(std::make_unique<State>(world, route, config)) {}
 
 Tour::~Tour() = default;
+
+const std::string& Tour::view() const { return state_->view; }
 
 Time Tour::duration() const { return state_->route.duration(); }
 

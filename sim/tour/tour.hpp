@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <memory>
 #include <optional>
+#include <string>
 #include <vector>
 
 #include "modeler/geometry/pose.hpp"
@@ -30,12 +31,14 @@ struct TourConfig {
 class Tour {
  public:
   /// Prepares the tour; the world must outlive it. Throws std::invalid_argument (a bad value) or
-  /// std::runtime_error (a route that collides).
+  /// std::runtime_error (a route that collides, or from which nothing is seen).
   Tour(const World& world, const Route& route, const TourConfig& config);
   ~Tour();
   Tour(const Tour&) = delete;
   Tour& operator=(const Tour&) = delete;
 
+  /// Returns in one line what the laser sees along the route, for the user.
+  const std::string& view() const;
   /// Returns the duration of the route.
   Time duration() const;
   /// Returns the number of lines of the whole tour.

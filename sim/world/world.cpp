@@ -4,8 +4,9 @@
 
 #include <utility>
 
+#include "sim/sdf/sdf_reader.hpp"
 #include "sim/world/contact_checker.hpp"
-#include "sim/world/sdf_reader.hpp"
+#include "sim/world/world_content.hpp"
 
 namespace ribbon_mapper::sim {
 namespace {
@@ -31,19 +32,25 @@ std::vector<Eigen::Vector2d> section(const Triangle& triangle, double z_m) {
 }  // namespace
 
 struct World::State {
-  State(const std::vector<Shape>& shapes, RayCasterKind caster)
-      : tessellation(tessellated(shapes)),
+  State(const std::string& path, const SdfShapes& sdf, RayCasterKind caster)
+      : tessellation(tessellated(sdf.shapes)),
+        extent(plausible_extent(path, tessellation)),
+        content("world " + path + ": " + content_text(sdf, extent)),
+        warnings(warning_texts(sdf.notes, extent)),
         rays(make_ray_caster(caster, tessellation.triangles)),
-        contacts(shapes) {}
+        contacts(sdf.shapes) {}
 
   Tessellation tessellation;
+  Eigen::AlignedBox3d extent;
+  std::string content;
+  std::vector<std::string> warnings;
   std::unique_ptr<const RayCaster> rays;
   ContactChecker contacts;
 };
 
 World World::load(const std::string& path, const std::vector<std::string>& model_paths,
-                  RayCasterKind caster) {
-  return World(std::make_unique<State>(read_sdf(path, model_paths), caster));
+                  RayCasterKind caster, bool visuals) {
+  return World(std::make_unique<State>(path, read_sdf(path, model_paths, visuals), caster));
 }
 
 World::World(std::unique_ptr<State> state) : state_(std::move(state)) {}
@@ -59,6 +66,12 @@ std::optional<Hit> World::cast(const Eigen::Vector3d& origin_map,
 const std::vector<Face>& World::faces() const { return state_->tessellation.faces; }
 
 const std::vector<Triangle>& World::triangles() const { return state_->tessellation.triangles; }
+
+const Eigen::AlignedBox3d& World::extent_m() const { return state_->extent; }
+
+const std::string& World::content() const { return state_->content; }
+
+const std::vector<std::string>& World::warnings() const { return state_->warnings; }
 
 std::optional<std::string> World::contact(const Pose& T_map_box,
                                           const Eigen::Vector3d& size_m) const {

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <Eigen/Geometry>
 #include <array>
 #include <memory>
 #include <optional>
@@ -20,11 +21,12 @@ class World {
  public:
   /// Reads an SDF file with box, cylinder, sphere, plane and mesh collisions. `model_paths` are
   /// searched for `model://` and relative URIs after the file's own folder; `caster` casts its
-  /// rays. Throws std::runtime_error that names the file and says what to do: the file may be
-  /// missing, broken or without collisions, or an include or mesh may be missing. Throws
-  /// std::invalid_argument if this build lacks `caster`.
+  /// rays. Models without a collision are taken from their visuals if `visuals` is true. What no
+  /// laser sees is ignored. Throws std::runtime_error that names the file and says what to do: the
+  /// file may be missing, broken, without collisions or of implausible size, or an include or mesh
+  /// may be missing. Throws std::invalid_argument if this build lacks `caster`.
   static World load(const std::string& path, const std::vector<std::string>& model_paths = {},
-                    RayCasterKind caster = RayCasterKind::bullet);
+                    RayCasterKind caster = RayCasterKind::bullet, bool visuals = false);
 
   /// Takes over the content of another world.
   World(World&&) noexcept;
@@ -42,6 +44,15 @@ class World {
 
   /// Returns the triangles that rays are cast into.
   const std::vector<Triangle>& triangles() const;
+
+  /// Returns the box around all shapes [m, map]; planes, which are unbounded, do not count.
+  const Eigen::AlignedBox3d& extent_m() const;
+
+  /// Returns in one line what was loaded and what was left out, for the user.
+  const std::string& content() const;
+
+  /// Returns a line for each thing in the file that its author should look at.
+  const std::vector<std::string>& warnings() const;
 
   /// Returns the name (model::link::collision) of a solid that a box of `size_m` penetrates,
   /// nothing if the box is free. Not for several threads at once.

@@ -27,7 +27,7 @@ _MODELER = _METHOD + ["modeler"]
 _TOOLS = _MODELER + ["modeler/calibration", "modeler/storage", "modeler/io",
                      "modeler/program"]
 _ROS = ["modeler/ros/messages", "modeler/ros/intake", "modeler/ros/node"]
-_SIM = ["sim/shapes", "sim/world", "sim/rays", "sim/robot", "sim/tour", "sim/truth"]
+_SIM = ["sim/shapes", "sim/sdf", "sim/world", "sim/rays", "sim/robot", "sim/tour", "sim/truth"]
 _POSE = ["modeler/geometry/time.hpp", "modeler/geometry/pose.hpp"]
 
 ROOMS = {
@@ -47,9 +47,10 @@ ROOMS = {
     "modeler/ros/bag_check": Room(_TOOLS + _ROS + ["modeler/ros/bag"], ANY),
     "modeler/ros/offline": Room(_TOOLS + _ROS + ["modeler/ros/bag", "modeler/ros/bag_check"], ANY),
     # The simulator has its own beam geometry, so that an error in one cannot hide in the other.
-    "sim/shapes": Room(_POSE, ["Eigen", "assimp"]),
+    "sim/shapes": Room(_POSE, ["Eigen", "assimp", "sys"]),
     "sim/rays": Room(_POSE + ["sim/shapes"], ["Eigen", "BulletCollision", "embree3"]),
-    "sim/world": Room(_POSE + ["sim/shapes", "sim/rays"], ["Eigen", "BulletCollision", "sdf"]),
+    "sim/sdf": Room(_POSE + ["sim/shapes"], ["Eigen", "sdf"]),
+    "sim/world": Room(_POSE + ["sim/shapes", "sim/sdf", "sim/rays"], ["Eigen", "BulletCollision"]),
     "sim/robot": Room(_POSE + ["sim/shapes", "sim/rays", "sim/world"], ["Eigen"]),
     "sim/truth": Room(_POSE + ["sim/shapes", "sim/rays", "sim/world", "sim/robot"], ["Eigen"]),
     "sim/tour": Room(_POSE + ["sim/shapes", "sim/rays", "sim/world", "sim/robot"],

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 ribbon_mapper authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "sim/world/resource_finder.hpp"
+#include "sim/sdf/resource_finder.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

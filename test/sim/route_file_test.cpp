@@ -57,7 +57,8 @@ TEST_F(RouteFile, NamesTheKey) {
               HasSubstr("'speed' is given twice"));
   EXPECT_THAT(error_of("speed: fast\nturn_rate: 0.6\n" + kWay),
               HasSubstr("'speed' must be a number"));
-  EXPECT_THAT(error_of("speed: 3\nturn_rate: 0.6\n" + kWay), HasSubstr("speed must be in 0..1"));
+  EXPECT_THAT(error_of("speed: 3\nturn_rate: 0.6\n" + kWay),
+              HasSubstr("speed must be in 0.001..1"));
 }
 
 TEST_F(RouteFile, NamesTheWaypoint) {

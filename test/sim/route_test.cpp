@@ -96,14 +96,32 @@ TEST(Route, RefusesWhatAPr2CannotDo) {
   };
   const std::vector<Eigen::Vector2d> way{{0, 0}, {1, 0}};
   using E = std::invalid_argument;
-  EXPECT_THAT(made(1.01, 0.5, way), ThrowsMessage<E>(HasSubstr("speed must be in 0..1 m/s")));
+  EXPECT_THAT(made(1.01, 0.5, way), ThrowsMessage<E>(HasSubstr("speed must be in 0.001..1 m/s")));
   EXPECT_THAT(made(0.0, 0.5, way), ThrowsMessage<E>(HasSubstr("speed")));
   EXPECT_THAT(made(NAN, 0.5, way), ThrowsMessage<E>(HasSubstr("speed")));
-  EXPECT_THAT(made(0.3, 2.01, way), ThrowsMessage<E>(HasSubstr("turn_rate must be in 0..2")));
+  EXPECT_THAT(made(0.3, 2.01, way), ThrowsMessage<E>(HasSubstr("turn_rate must be in 0.001..2")));
   EXPECT_THAT(made(0.3, 0.5, {{0, 0}}), ThrowsMessage<E>(HasSubstr("two or more")));
   EXPECT_THAT(made(0.3, 0.5, {{0, 0}, {1, 0}, {1, 0}}),
               ThrowsMessage<E>(HasSubstr("waypoints 2 and 3")));
   EXPECT_THAT(made(0.3, 0.5, {{0, 0}, {INFINITY, 0}}), ThrowsMessage<E>(HasSubstr("finite")));
+}
+
+/// What would need gigabytes, or a day, to be driven.
+TEST(Route, RefusesWhatNoTourCanMean) {
+  const auto made = [](double speed, double rate, std::vector<Eigen::Vector2d> waypoints) {
+    return [=] { Route(speed, rate, waypoints); };
+  };
+  using E = std::invalid_argument;
+  const std::vector<Eigen::Vector2d> way{{0, 0}, {20, 0}};
+  EXPECT_THAT(made(0.3, 0.5, {{0, 0}, {1e5, 0}}), ThrowsMessage<E>(HasSubstr("10 km")));
+  EXPECT_THAT(made(0.3, 0.5, {{0, 0}, {6000, 0}, {0, 0}}), ThrowsMessage<E>(HasSubstr("10 km")));
+  EXPECT_THAT(made(0.3, 0.5, {{0, 0}, {1e300, 0}}), ThrowsMessage<E>(HasSubstr("1000 km")));
+  EXPECT_THAT(made(1e-9, 0.5, way), ThrowsMessage<E>(HasSubstr("speed must be in 0.001")));
+  EXPECT_THAT(made(0.3, 1e-9, way), ThrowsMessage<E>(HasSubstr("turn_rate must be in 0.001")));
+  EXPECT_THAT(made(0.001, 0.5, way), ThrowsMessage<E>(HasSubstr("4 hours")));
+  std::vector<Eigen::Vector2d> zigzag;
+  for (int i = 0; i < 10'001; ++i) zigzag.emplace_back(i % 2, i % 3);
+  EXPECT_THAT(made(0.3, 0.5, zigzag), ThrowsMessage<E>(HasSubstr("up to 10000")));
 }
 
 /// The body of 0.65 x 0.65 m first touches the wall at x = 2 from x = 1.675.

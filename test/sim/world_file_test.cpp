@@ -2,12 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 //
 // World files that are broken, incomplete or divided into parts.
-#include <gmock/gmock.h>
-#include <gtest/gtest.h>
-
-#include <functional>
-
-#include "test/sim/sample_world.hpp"
+#include "test/sim/sdf/world_file.hpp"
 
 namespace ribbon_mapper::sim {
 namespace {
@@ -16,33 +11,6 @@ namespace fs = std::filesystem;
 using Eigen::Vector3d;
 using testing::AllOf;
 using testing::HasSubstr;
-
-class WorldFile : public testing::Test {
- protected:
-  fs::path write(const std::string& name, const std::string& text) const {
-    write_file(directory_.path() / name, text);
-    return directory_.path() / name;
-  }
-  std::string error_of(const fs::path& path, const std::vector<std::string>& folders = {}) const {
-    try {
-      World::load(path.string(), folders);
-    } catch (const std::runtime_error& error) {
-      EXPECT_THAT(error.what(), HasSubstr(path.string())) << "names the file";
-      return error.what();
-    }
-    ADD_FAILURE() << path << " was loaded";
-    return "";
-  }
-  std::string folder(const std::string& name) const { return (directory_.path() / name).string(); }
-
-  TemporaryDirectory directory_;
-};
-
-/// Returns the range along +x from the origin.
-double range_ahead(const World& world) {
-  const auto hit = world.cast(Vector3d::Zero(), Vector3d::UnitX(), 50.0);
-  return hit ? hit->range_m : -1.0;
-}
 
 TEST_F(WorldFile, MissingFileSaysWhatToGive) {
   EXPECT_THAT(error_of(directory_.path() / "none.sdf"), HasSubstr("give the path of an SDF world"));
