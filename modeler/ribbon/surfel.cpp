@@ -15,16 +15,18 @@ constexpr double kMaxHalfWidth = 1e6;      // beams; reached only if all of them
 
 BeamRange around(const ThreeLines& lines, std::size_t beam, double half_length_m) {
   if (!lines.have_return(beam)) return {};
-  const auto& [previous, middle, next] = lines;
+  const ScanLine& middle = lines.middle;
   const double spacing_m = middle.ranges_m[beam] * std::abs(middle.angle_increment_rad);
   const auto half = std::max<std::int64_t>(
       kMinHalfWidth, static_cast<std::int64_t>(std::min(half_length_m / spacing_m, kMaxHalfWidth)));
   const auto here = static_cast<std::int64_t>(beam);
+  const BeamMatch &to_previous = lines.to_previous, &to_next = lines.to_next;
   const std::int64_t first_of_segments =
-      std::max({previous.first_of_segment[beam], middle.first_of_segment[beam],
-                next.first_of_segment[beam]});
-  const std::int64_t end_of_segments = std::min(
-      {previous.end_of_segment[beam], middle.end_of_segment[beam], next.end_of_segment[beam]});
+      std::max({to_previous.first_of_segment(beam), to_next.first_of_segment(beam),
+                std::int64_t{middle.first_of_segment[beam]}});
+  const std::int64_t end_of_segments =
+      std::min({to_previous.end_of_segment(beam), to_next.end_of_segment(beam),
+                std::int64_t{middle.end_of_segment[beam]}});
   const std::int64_t begin = std::max(here - half, first_of_segments);
   const std::int64_t end = std::min(here + half + 1, end_of_segments);
   if (end - begin < 2 * kMinHalfWidth) return {};
@@ -33,9 +35,8 @@ BeamRange around(const ThreeLines& lines, std::size_t beam, double half_length_m
 
 inline double area_m2(const ThreeLines& lines, std::size_t beam) {
   const double range = lines.middle.ranges_m[beam];
-  const Eigen::Vector3d& before = lines.previous.directions[beam];
-  const Eigen::Vector3d& after = lines.next.directions[beam];
-  const double half_step_sine = 0.25 * std::sqrt((after - before).squaredNorm());  // of two steps
+  const Eigen::Vector3d steps = lines.to_next.direction(beam) - lines.to_previous.direction(beam);
+  const double half_step_sine = 0.25 * std::sqrt(steps.squaredNorm());  // of two steps
   return 4.0 * range * range * half_step_sine * lines.middle.half_increment_sine;
 }
 
@@ -49,8 +50,8 @@ Flatness flatness_of(const ScanConfig& scan, const RibbonConfig& config) {
 bool estimate(const ThreeLines& lines, std::size_t beam, const BeamRange& near,
               const Flatness& flatness, Surfel& surfel) {
   const Moments middle = lines.middle.moments(near.begin, near.end);
-  const auto normal = flat_normal(middle + lines.previous.moments(near.begin, near.end) +
-                                      lines.next.moments(near.begin, near.end),
+  const auto normal = flat_normal(middle + lines.to_previous.moments(near.begin, near.end) +
+                                      lines.to_next.moments(near.begin, near.end),
                                   flatness);
   if (!normal) return false;
   surfel.beam = static_cast<std::uint32_t>(beam);

@@ -12,6 +12,10 @@ const char* to_string(LineResult result) {
   switch (result) {
     case LineResult::modelled:
       return "modelled";
+    case LineResult::waiting:
+      return "waiting for neighbours";
+    case LineResult::no_ribbons:
+      return "no ribbons";
     case LineResult::too_close:
       return "too close";
     case LineResult::no_returns:
@@ -25,10 +29,14 @@ const char* to_string(LineResult result) {
 }
 
 ScanFrontEnd::ScanFrontEnd(const ScanConfig& config)
-    : config_(config), buffer_(config.base_line_sigmas * config.range_sigma_m), averager_(config) {}
+    : config_(config),
+      no_returns_(config),
+      buffer_(config.base_line_sigmas * config.range_sigma_m),
+      averager_(config) {}
 
-LineResult ScanFrontEnd::add(const LaserBeams& beams, const LinePoses& poses) {
-  if (find_defect(beams, poses)) return LineResult::malformed;
+LineResult ScanFrontEnd::add(const LaserBeams& raw_beams, const LinePoses& poses) {
+  if (find_defect(raw_beams, poses)) return LineResult::malformed;
+  const LaserBeams& beams = no_returns_.filter(raw_beams);
   ScanLine& line = buffer_.incoming();
   place_beams(beams, poses, config_, line);
   if (!line.has_returns()) return LineResult::no_returns;
@@ -38,7 +46,7 @@ LineResult ScanFrontEnd::add(const LaserBeams& beams, const LinePoses& poses) {
   }
   averager_.clear();
   buffer_.push();
-  return LineResult::modelled;
+  return LineResult::waiting;
 }
 
 bool ScanFrontEnd::is_in_order(const ScanLine& line) const {

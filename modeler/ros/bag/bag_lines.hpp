@@ -49,6 +49,8 @@ class BagLines {
   const std::string& scan_topic() const { return scan_topic_; }
   /// Returns the number of scans in the bags.
   std::size_t line_count() const { return line_count_; }
+  /// Returns the transforms read so far, back to BagOptions::tf_cache_s.
+  const tf2::BufferCore& transforms() const { return tf_; }
   /// Returns the number of unusable transforms so far.
   std::size_t refused_transforms() const { return refused_; }
 

@@ -11,6 +11,8 @@
 #include "modeler/ros/bag_check/scan_survey.hpp"
 #include "modeler/ros/bag_check/tf_survey.hpp"
 #include "modeler/ros/bag_check/tilt_survey.hpp"
+#include "modeler/ros/intake/model_doubts.hpp"
+#include "modeler/ros/node/model_keeper.hpp"
 
 namespace ribbon_mapper {
 namespace {
@@ -48,35 +50,55 @@ void report_drops(const LineLog& log, BagReport& report) {
   }
 }
 
+/// Adds what became of the lines. A model without ribbons is a fault, and one with planes shows that
+/// no fault is one.
+void report_model(ModelKeeper& keeper, const AssemblyConfig& config, BagReport& report) {
+  const ModelStatistics statistics = keeper.modeler().statistics();
+  const std::size_t planes = keeper.planes().size();
+  if (planes > 0) {
+    report.fact("the lines give " + counted(statistics.ribbons, "ribbon") + " and " +
+                counted(planes, "plane"));
+    report.turn_faults_into_warnings();
+    return;
+  }
+  const std::string why = "no plane: " + why_no_planes(keeper.log(), statistics, config);
+  statistics.ribbons == 0 ? report.fault(why) : report.warning(why);
+}
+
 void check(const std::vector<std::filesystem::path>& files, const BagOptions& options,
-           BagReport& report) {
+           const ModelerConfig& preset, BagReport& report) {
   const BagSet bags(files);
   list_topics(bags.topics(), report);
   const std::string scan_topic = scan_topic_of(bags.topics(), options.scan_topic);
-  ScanSurvey scans;
+  ScanSurvey scans(preset.scan);
   TfSurvey transforms;
   survey_messages(bags, scan_topic, scans, transforms);
   scans.report(report);
   transforms.report(options.intake.frames, scans.median_period_s(), report);
 
-  LineLog log;
-  BagLines lines(files, options, log);
+  ModelKeeper keeper(preset);
+  BagLines lines(files, options, keeper.log());
   TiltSurvey tilt;
-  while (const std::optional<ReadyLine> line = lines.next()) tilt.add(line->beams, line->poses);
-  report_drops(log, report);
+  while (const std::optional<ReadyLine> line = lines.next()) {
+    tilt.add(line->beams, line->poses);
+    keeper.add(*line);
+  }
+  report_drops(keeper.log(), report);
   if (lines.refused_transforms() > 0) {
     report.warning(counted(lines.refused_transforms(), "transform") +
                    " cannot be used: not finite, no unit quaternion, or a frame in itself");
   }
-  tilt.report(scans, report);
+  tilt.report(scans, preset, report);
+  report_model(keeper, preset.assembly, report);
 }
 
 }  // namespace
 
-BagReport check_bags(const std::vector<std::filesystem::path>& files, const BagOptions& options) {
+BagReport check_bags(const std::vector<std::filesystem::path>& files, const BagOptions& options,
+                     const ModelerConfig& preset) {
   BagReport report;
   try {
-    check(files, options, report);
+    check(files, options, preset, report);
   } catch (const std::runtime_error& error) {
     report.fault(error.what());
   }

@@ -20,6 +20,7 @@ namespace ribbon_mapper {
 struct ReadyLine {
   LaserBeams beams;  ///< ranges, angles and times
   LinePoses poses;   ///< of robot and laser during the line
+  std::string frame{};  ///< of the laser
 };
 
 /// A point in time on two clocks, that of the data and that on the wall. For a bag that is read

@@ -10,6 +10,7 @@
 #include "modeler/ros/intake/clock_guard.hpp"
 #include "modeler/ros/intake/input_watch.hpp"
 #include "modeler/ros/intake/line_intake.hpp"
+#include "modeler/ros/intake/model_doubts.hpp"
 #include "modeler/ros/intake/tf_feed.hpp"
 #include "modeler/ros/intake/time_jump.hpp"
 #include "modeler/ros/messages/message_conversions.hpp"
@@ -69,6 +70,7 @@ class ModelerNode {
   void take_lines();
   void report();
   void warn_of_drops();
+  void warn_of_doubts();
 
   NodeParameters parameters_;
   ros::NodeHandle node_, private_node_{"~"};
@@ -83,6 +85,8 @@ class ModelerNode {
   ros::Subscriber corrected_trajectory_, scan_;
   ros::WallTimer line_timer_, report_timer_;
   InputWatch watch_;
+  BarrenLines barren_lines_;
+  bool has_warned_of_no_return_ = false;
   bool stopped_ = false;  ///< by a time jump, until ~reset
   std::size_t reports_ = 0, reported_lines_ = 0, reported_drops_ = 0;
 };
@@ -177,6 +181,7 @@ void ModelerNode::on_time_jump() {
 
 void ModelerNode::empty_model() {
   keeper_.reset();
+  barren_lines_ = {};
   reported_lines_ = reported_drops_ = 0;
 }
 
@@ -185,6 +190,7 @@ void ModelerNode::report() {
   diagnostics_.publish();
   if (++reports_ % 5 != 0) return;  // counted, not throttled: simulated time may stand still
   warn_of_drops();
+  warn_of_doubts();
   const std::string complaint = watch_.complaint(intake_, tf_.received());
   if (!complaint.empty()) {
     ROS_WARN("%s", complaint.c_str());
@@ -201,6 +207,15 @@ void ModelerNode::warn_of_drops() {
   const std::size_t before = std::exchange(reported_drops_, dropped);
   if (dropped == before) return;
   ROS_WARN("A line is dropped: %s. %zu dropped so far.", log.newest_drop().c_str(), dropped);
+}
+
+void ModelerNode::warn_of_doubts() {
+  const std::string complaint = barren_lines_.complaint(keeper_.log());
+  if (!complaint.empty()) ROS_WARN("%s", complaint.c_str());
+  const auto no_return = keeper_.modeler().statistics().no_return;
+  if (no_return && !std::exchange(has_warned_of_no_return_, true)) {
+    ROS_WARN("%s.", no_return_text(*no_return).c_str());
+  }
 }
 
 }  // namespace

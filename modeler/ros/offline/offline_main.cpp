@@ -41,7 +41,9 @@ void run(const OfflineOptions& options) {
   write_model(run, options.output);
   add_cost(start, run.summary);
   write_file_atomically(options.output / "summary.json", summary_to_json(run.summary));
-  if (options.with_figure) draw_figure(Figure::model_views, options.output);
+  if (options.with_figure && !run.planes_after.empty()) {
+    draw_figure(Figure::model_views, options.output);
+  }
   std::printf("%sresults in %s\n", summary_text(run.summary).c_str(), options.output.c_str());
 }
 

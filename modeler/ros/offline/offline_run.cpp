@@ -12,6 +12,7 @@
 #include "modeler/io/save.hpp"
 #include "modeler/io/tum.hpp"
 #include "modeler/program/installed_files.hpp"
+#include "modeler/ros/intake/model_doubts.hpp"
 #include "modeler/ros/node/model_keeper.hpp"
 #include "modeler/surface/outline.hpp"
 
@@ -32,15 +33,14 @@ void take_lines(const OfflineOptions& options, ModelKeeper& keeper, OfflineSumma
   }
 }
 
-void require_lines(const ModelKeeper& keeper) {
-  const LineLog& log = keeper.log();
-  if (log.lines() == 0) throw std::runtime_error("there is no scan in the bag");
-  if (!keeper.modeler().trajectory().empty()) return;
-  std::string why = "no line could be modelled of " + std::to_string(log.lines());
-  for (const auto& [reason, count] : log.dropped_by_reason()) {
+void require_ribbons(const ModelKeeper& keeper) {
+  if (keeper.modeler().statistics().ribbons > 0) return;
+  std::string why = "no line could be modelled of " + std::to_string(keeper.log().lines()) + ": " +
+                    why_no_ribbons(keeper.log());
+  for (const auto& [reason, count] : keeper.log().dropped_by_reason()) {
     why += "\n  " + std::to_string(count) + " x " + reason;
   }
-  for (const auto& [outcome, count] : log.handled_by_outcome()) {
+  for (const auto& [outcome, count] : keeper.log().handled_by_outcome()) {
     why += "\n  " + std::to_string(count) + " x " + outcome;
   }
   throw std::runtime_error(why + "\n`bag_check` says more");
@@ -78,7 +78,7 @@ std::vector<Plane> with_outlines(std::vector<Plane> planes, double bridged_gap_m
   return planes;
 }
 
-void describe(const ModelKeeper& keeper, const SurfaceConfig& config, OfflineRun& run) {
+void describe(const ModelKeeper& keeper, const ModelerConfig& config, OfflineRun& run) {
   OfflineSummary& s = run.summary;
   s.lines = keeper.log().lines();
   s.dropped_lines = keeper.log().dropped_by_reason();
@@ -87,10 +87,15 @@ void describe(const ModelKeeper& keeper, const SurfaceConfig& config, OfflineRun
   s.planes_before = run.planes_before.size();
   s.planes = run.planes_after.size();
   DuplicateRule rule;
-  rule.touching_m = config.stripe_gap_m;
+  rule.touching_m = config.surface.stripe_gap_m;
   s.duplicates = duplicates_of_larger(run.planes_after, rule).size();
   s.points = point_count(run.planes_after);
   s.residual_m_median = median_residual_m(run.planes_after);
+  const ModelStatistics statistics = keeper.modeler().statistics();
+  if (statistics.no_return) s.warnings.push_back(no_return_text(*statistics.no_return));
+  if (run.planes_after.empty()) {
+    s.warnings.push_back("no plane: " + why_no_planes(keeper.log(), statistics, config.assembly));
+  }
 }
 
 }  // namespace
@@ -102,7 +107,7 @@ OfflineRun model_bags(const OfflineOptions& options, const ProgressCallback& pro
   for (const auto& bag : options.bags) run.summary.bags.push_back(bag.filename().string());
   run.summary.config = portable_name(find_installed_file(options.config)).string();
   take_lines(options, keeper, run.summary, progress);
-  require_lines(keeper);
+  require_ribbons(keeper);
 
   run.planes_before =
       with_outlines(keeper.modeler().planes_as_built(), config.surface.bridged_gap_m);
@@ -111,7 +116,7 @@ OfflineRun model_bags(const OfflineOptions& options, const ProgressCallback& pro
   run.planes_after = keeper.planes();
   run.stripe_gap_m = config.surface.stripe_gap_m;
   run.trajectory = keeper.modeler().trajectory();
-  describe(keeper, config.surface, run);
+  describe(keeper, config, run);
   return run;
 }
 

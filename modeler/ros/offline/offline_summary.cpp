@@ -38,6 +38,7 @@ std::string summary_to_json(const OfflineSummary& s) {
       {"duplicates", s.duplicates},
       {"points", s.points},
       {"residual_m_median", s.residual_m_median ? Json(*s.residual_m_median) : Json(nullptr)},
+      {"warnings", s.warnings},
       {"recording_s", s.recording_s},
       {"real_time_factor", real_time_factor(s)},
       {"wall_s", s.wall_s},
@@ -60,6 +61,7 @@ std::string summary_text(const OfflineSummary& s) {
        << " duplicates";
   if (s.residual_m_median) text << ", median residual " << 1e3 * *s.residual_m_median << " mm";
   text << "\nposes: " << s.trajectory << "\n";
+  for (const std::string& warning : s.warnings) text << "warning: " << warning << "\n";
   text << s.recording_s << " s of recording in " << std::setprecision(2) << s.wall_s << " s ("
        << std::setprecision(0) << real_time_factor(s) << " x real time, " << std::setprecision(2)
        << s.cpu_s << " s CPU), peak memory " << std::setprecision(0) << s.peak_memory_mib

@@ -27,6 +27,8 @@ struct OfflineSummary {
   std::size_t points = 0;                            ///< on the planes
   std::optional<double> residual_m_median;           ///< of these points, see median_residual_m()
 
+  std::vector<std::string> warnings;  ///< one sentence each, without a full stop
+
   double recording_s = 0.0;      ///< from the first line to the last
   double wall_s = 0.0;           ///< elapsed time, reading and writing included
   double cpu_s = 0.0;            ///< user and system time
