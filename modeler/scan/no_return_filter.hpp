@@ -22,10 +22,10 @@ struct NoReturnRange {
 /// them: they would make surfaces on a sphere.
 ///
 /// The ranges of a surface spread about their nearest one. A plane seen without noise at a
-/// resolution q has sqrt(w / q) - 1 times as many ranges within w beyond its nearest range as at it:
-/// 2.2 times for 10 cm and 10 mm, and more for noise or a finer resolution. A range is no distance
-/// if neighbouring beams have it to the bit in several lines, and less than half as many beams lie
-/// within 10 cm of it. At range_max a single line suffices.
+/// resolution q has sqrt(w / q) - 1 times as many ranges within w beyond its nearest range as at
+/// it: 2.2 times for 10 cm and 10 mm, and more for noise or a finer resolution. A range is no
+/// distance if neighbouring beams have it to the bit in several lines, and less than half as many
+/// beams lie within 10 cm of it. At range_max a single line suffices.
 class NoReturnFilter {
  public:
   /// Creates a filter that has seen no line.

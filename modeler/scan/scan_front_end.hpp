@@ -34,8 +34,8 @@ class ScanFrontEnd {
   /// Creates a front end without lines. `config` must be valid.
   explicit ScanFrontEnd(const ScanConfig& config);
 
-  /// Adds a line and returns what became of it: `waiting` if it entered the buffer. Only such a line
-  /// changes next_three_lines().
+  /// Adds a line and returns what became of it: `waiting` if it entered the buffer. Only such a
+  /// line changes next_three_lines().
   LineResult add(const LaserBeams& raw_beams, const LinePoses& poses);
 
   /// Returns the most frequent range that stood for no return; nothing if there was none.

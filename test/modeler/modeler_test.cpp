@@ -163,8 +163,8 @@ TEST(Modeler, DoesNotCallALineWithoutRibbonsModelled) {
   EXPECT_EQ(0u, modeler.statistics().ribbons);
 }
 
-/// Leaves out another number of beams at both ends of each line and takes each line at another step,
-/// as lasers do whose motor and sampling are not synchronised.
+/// Leaves out another number of beams at both ends of each line and takes each line at another
+/// step, as lasers do whose motor and sampling are not synchronised.
 TEST(Modeler, TakesLinesOfAnyNumberOfBeams) {
   Modeler modeler{ModelerConfig{}};
   Lines lines;

@@ -50,8 +50,8 @@ void report_drops(const LineLog& log, BagReport& report) {
   }
 }
 
-/// Adds what became of the lines. A model without ribbons is a fault, and one with planes shows that
-/// no fault is one.
+/// Adds what became of the lines. A model without ribbons is a fault, and one with planes shows
+/// that no fault is one.
 void report_model(ModelKeeper& keeper, const AssemblyConfig& config, BagReport& report) {
   const ModelStatistics statistics = keeper.modeler().statistics();
   const std::size_t planes = keeper.planes().size();

@@ -13,6 +13,10 @@ namespace {
 
 constexpr double kBeamStepOfPr2_rad = 0.25 * kDegree;
 constexpr double kMaxCell_m = 0.25;
+/// Lines and beams are this much further apart on a surface that is seen at 60 degrees from its
+/// normal.
+constexpr double kObliqueGaps = 2.0;
+constexpr int kMinRibbons = 5;              // fewer make no plane that can be trusted
 constexpr double kAveragingBaseLine = 3.0;  // see ScanConfig::base_line_sigmas
 /// Steps between ranges that noise reaches hardly ever.
 constexpr double kNoiseSteps = 3.0;
@@ -50,19 +54,20 @@ ModelerConfig adapted(ModelerConfig preset, const LineSpacing& spacing) {
   RibbonConfig& ribbon = preset.ribbon;
   ribbon.neighbourhood_m = to_hundredths(ribbon.neighbourhood_m * std::sqrt(coarser));
   ribbon.min_length_m = to_hundredths(ribbon.min_length_m * std::sqrt(coarser));
-  ribbon.min_points = std::max(4, static_cast<int>(std::lround(ribbon.min_points / std::sqrt(
-                                                                                       coarser))));
+  const int points = static_cast<int>(std::lround(ribbon.min_points / std::sqrt(coarser)));
+  ribbon.min_points = std::min(ribbon.min_points, std::max(4, points));
   SurfaceConfig& surface = preset.surface;
   const double gap_m = std::max(spacing.line_gap_m(), spacing.beam_gap_m());
-  surface.cell_size_m =
-      std::max(surface.cell_size_m, std::min(kMaxCell_m, rounded_up(gap_m, 0.01)));
-  surface.stripe_gap_m =
-      std::max(surface.stripe_gap_m,
-               rounded_up(2.0 * spacing.line_step_rad * spacing.far_range_m, 0.1));
+  if (gap_m > surface.cell_size_m) {
+    surface.cell_size_m = std::min(kMaxCell_m, rounded_up(kObliqueGaps * gap_m, 0.01));
+  }
+  surface.stripe_gap_m = std::max(
+      surface.stripe_gap_m, rounded_up(2.0 * spacing.line_step_rad * spacing.far_range_m, 0.1));
   const double lines_of_a_small_plane =
       std::sqrt(preset.assembly.min_area_m2) / std::max(1e-6, spacing.line_gap_m());
   for (int* min_ribbons : {&preset.assembly.min_ribbons, &preset.registration.min_ribbons}) {
-    *min_ribbons = std::clamp(static_cast<int>(lines_of_a_small_plane), 5, *min_ribbons);
+    const int lines = static_cast<int>(std::min(lines_of_a_small_plane, 1e6));
+    *min_ribbons = std::min(*min_ribbons, std::max(kMinRibbons, lines));
   }
   return preset;
 }
@@ -70,10 +75,10 @@ ModelerConfig adapted(ModelerConfig preset, const LineSpacing& spacing) {
 void report_spacing(const LineSpacing& spacing, const ModelerConfig& preset, BagReport& report) {
   const double noise_m = spacing.noise_m;
   if (spacing.line_step_rad <= 0.0 || spacing.median_range_m <= 0.0) return;
-  const std::string facts =
-      "lines are " + degrees(spacing.line_step_rad, 2) + " degrees apart, " +
-      millimetres(spacing.line_step_rad * spacing.median_range_m) +
-      " at the median range; the noise of a range is about " + millimetres(noise_m);
+  const std::string facts = "lines are " + degrees(spacing.line_step_rad, 2) + " degrees apart, " +
+                            millimetres(spacing.line_step_rad * spacing.median_range_m) +
+                            " at the median range; the noise of a range is about " +
+                            millimetres(noise_m);
   constexpr const char* how = ": `bag_check --propose-preset FILE` writes a preset";
   if (lines_are_within_noise(spacing) && preset.scan.base_line_sigmas < kAveragingBaseLine) {
     report.warning(facts +
@@ -84,13 +89,13 @@ void report_spacing(const LineSpacing& spacing, const ModelerConfig& preset, Bag
   }
   const double gap_m = std::max(spacing.line_gap_m(), spacing.beam_gap_m());
   if (gap_m > preset.surface.cell_size_m) {
-    report.warning("at " + number(spacing.far_range_m, 1) + " m, lines of " +
-                   number(spacing.sweeps, 0) + " sweeps are " + millimetres(spacing.line_gap_m()) +
-                   " apart and beams " + millimetres(spacing.beam_gap_m()) +
-                   ": coarse. Cells of surface.cell_size_m (" +
+    report.warning("at " + number(spacing.far_range_m, 1) + " m, lines are " +
+                   millimetres(spacing.line_gap_m()) + " apart and beams " +
+                   millimetres(spacing.beam_gap_m()) + ": coarse. Cells of surface.cell_size_m (" +
                    millimetres(preset.surface.cell_size_m) +
                    ") stay empty, and surfaces get holes; see also ribbon.neighbourhood_m, "
-                   "ribbon.min_points and assembly.min_ribbons" + how);
+                   "ribbon.min_points and assembly.min_ribbons" +
+                   how);
   }
   if (noise_m > kMuchNoise * preset.scan.range_sigma_m) {
     report.warning("the noise of a range is about " + millimetres(noise_m) +

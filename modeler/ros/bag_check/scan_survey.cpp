@@ -85,7 +85,8 @@ void ScanSurvey::count_ranges(const LaserBeams& beams) {
 }
 
 void ScanSurvey::look_at_noise(const LaserBeams& beams) {
-  const std::vector<float>&r = beams.ranges_m, &last = last_ranges_m_, &before = second_last_ranges_m_;
+  const std::vector<float>&r = beams.ranges_m, &last = last_ranges_m_,
+        &before = second_last_ranges_m_;
   const auto take = [&](float a, float b, float c, std::vector<float>& differences) {
     if (!is_usable(a, beams) || !is_usable(b, beams) || !is_usable(c, beams)) return;
     const float difference = std::abs(a - 2.0F * b + c);
@@ -187,10 +188,10 @@ void ScanSurvey::report_time_increment(BagReport& report) const {
   const auto microseconds = [](double seconds) { return number(1e6 * seconds, 2) + " us"; };
   const auto milliseconds = [](double seconds) { return number(1e3 * seconds, 1) + " ms"; };
   const double steps = static_cast<double>(last_.ranges_m.size()) - 1.0;
-  const std::string facts =
-      "time_increment is " + microseconds(increment_s) + ", so that lines last " +
-      milliseconds(steps * increment_s) + ", scan_time is " + milliseconds(scan_time_s_) +
-      ", and lines come every " + milliseconds(period_s);
+  const std::string facts = "time_increment is " + microseconds(increment_s) +
+                            ", so that lines last " + milliseconds(steps * increment_s) +
+                            ", scan_time is " + milliseconds(scan_time_s_) +
+                            ", and lines come every " + milliseconds(period_s);
   const bool skips_lines = scan_time_s_ > 0.0 && scan_time_s_ < 0.75 * period_s &&
                            fits_period(increment_s, last_, scan_time_s_);
   if (skips_lines) {
@@ -211,9 +212,9 @@ void ScanSurvey::report_ranges(BagReport& report) const {
     return percent(static_cast<double>(count) / static_cast<double>(ranges_));
   };
   const std::size_t usable = ranges_ - nan_ - infinite_ - zero_ - out_of_range_;
-  report.fact("ranges: " + share(usable) + " usable (median " + number(range_m(0.5), 2) +
-              " m), " + share(infinite_) + " infinite, " + share(nan_) + " NaN, " + share(zero_) +
-              " zero, " + share(out_of_range_) + " out of the sensor's range");
+  report.fact("ranges: " + share(usable) + " usable (median " + number(range_m(0.5), 2) + " m), " +
+              share(infinite_) + " infinite, " + share(nan_) + " NaN, " + share(zero_) + " zero, " +
+              share(out_of_range_) + " out of the sensor's range");
   if (usable == 0) {
     report.fault("not one range is usable: is the laser covered, or its driver broken?");
   } else if (10 * usable < ranges_) {

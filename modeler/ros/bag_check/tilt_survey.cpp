@@ -113,8 +113,8 @@ LineSpacing TiltSurvey::spacing(const ScanSurvey& scans) const {
   LineSpacing spacing;
   spacing.line_step_rad = median_of(steps_rad);
   spacing.beam_step_rad = scans.beam_step_rad();
-  spacing.sweeps = std::max(range_rad / M_PI,
-                            1.0 + static_cast<double>(reversals(angles, range_rad).size()));
+  spacing.sweeps =
+      std::max(range_rad / M_PI, 1.0 + static_cast<double>(reversals(angles, range_rad).size()));
   spacing.noise_m = scans.noise_m();
   spacing.median_range_m = scans.range_m(0.5);
   spacing.far_range_m = scans.range_m(0.9);

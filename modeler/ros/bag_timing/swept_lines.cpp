@@ -89,8 +89,8 @@ SweptLines::SweptLines(const std::vector<std::filesystem::path>& bags, const Bag
                  std::max(Time(0), lines_.front().stamp - margin), end_of(lines_.back()) + margin);
   period_s_ = median_period_s(lines_);
   voxel_m_ = std::max(0.01, median_range_m(lines_, config) / kVoxelsPerRange);
-  max_offset_s_ = std::min(
-      kMaxOffset_s, 0.25 * to_seconds(lines_.back().stamp - lines_.front().stamp));
+  max_offset_s_ =
+      std::min(kMaxOffset_s, 0.25 * to_seconds(lines_.back().stamp - lines_.front().stamp));
   drop_lines_at_the_ends();
 }
 

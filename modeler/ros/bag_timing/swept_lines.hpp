@@ -21,7 +21,9 @@ struct LineTiming {
 /// The lines of the first half minute of a recording, to be placed as if their times were others.
 class SweptLines {
  public:
-  static constexpr double kMaxOffset_s = 1.0;  ///< of the laser's stamps, in either direction
+  /// Largest offset of the laser's stamps that can be asked about, in either direction: a second,
+  /// and a little more to see that it fits best.
+  static constexpr double kMaxOffset_s = 1.05;
 
   /// Reads the lines that have poses. Throws what BagLines throws.
   SweptLines(const std::vector<std::filesystem::path>& bags, const BagOptions& options,

@@ -30,9 +30,8 @@ LaserBeams wall_line(float nothing_m, double sigma_m, double resolution_m, std::
 }
 
 std::size_t infinite(const LaserBeams& beams) {
-  return static_cast<std::size_t>(
-      std::count_if(beams.ranges_m.begin(), beams.ranges_m.end(),
-                    [](float range_m) { return std::isinf(range_m); }));
+  return static_cast<std::size_t>(std::count_if(beams.ranges_m.begin(), beams.ranges_m.end(),
+                                                [](float range_m) { return std::isinf(range_m); }));
 }
 
 TEST(NoReturnFilter, RemovesARangeThatNoSurfaceHas) {
