@@ -3,7 +3,6 @@
 #pragma once
 
 #include <Eigen/Core>
-#include <algorithm>
 #include <cmath>
 #include <cstdint>
 
@@ -32,6 +31,7 @@ class BeamMatch {
   }
   /// Returns true if the other line has a return at the bearing of `beam`.
   bool has_return(std::size_t beam) const {
+    if (same_) return to_->has_return(beam);
     const std::int64_t at = nearest(beam);
     return at >= 0 && at < size() && to_->has_return(static_cast<std::size_t>(at));
   }
@@ -46,16 +46,11 @@ class BeamMatch {
   }
   /// Returns the moments of the other line's returns at the bearings of beams [begin, end).
   Moments moments(std::size_t begin, std::size_t end) const {
-    return to_->moments(clamped(nearest(begin)), clamped(nearest(end)));
+    return same_ ? to_->moments(begin, end) : matched_moments(begin, end);
   }
   /// Returns the direction of the other line at the bearing of `beam`. Interpolates between beams.
   Eigen::Vector3d direction(std::size_t beam) const {
-    if (same_ || size() < 2) return to_->directions[same_ ? beam : 0];
-    const double at = position(beam);
-    const auto left = static_cast<std::size_t>(
-        std::clamp(std::floor(at), 0.0, static_cast<double>(to_->size() - 2)));
-    const double share = at - static_cast<double>(left);
-    return (1.0 - share) * to_->directions[left] + share * to_->directions[left + 1];
+    return same_ ? to_->directions[beam] : interpolated_direction(beam);
   }
 
  private:
@@ -66,9 +61,8 @@ class BeamMatch {
     return static_cast<std::int64_t>(std::ceil((other - 0.5 - shift_) / scale_));
   }
   double position(std::size_t beam) const { return shift_ + scale_ * static_cast<double>(beam); }
-  std::size_t clamped(std::int64_t at) const {
-    return static_cast<std::size_t>(std::clamp<std::int64_t>(at, 0, size()));
-  }
+  Moments matched_moments(std::size_t begin, std::size_t end) const;
+  Eigen::Vector3d interpolated_direction(std::size_t beam) const;
 
   const ScanLine* to_;
   bool same_;

@@ -35,14 +35,22 @@ const LaserBeams& NoReturnFilter::filter(const LaserBeams& beams) {
 /// enough.
 std::optional<float> NoReturnFilter::repeated_range(const LaserBeams& beams) const {
   const std::vector<float>& r = beams.ranges_m;
-  std::size_t longest = 0, end_of_longest = 0, run = 1;
-  for (std::size_t i = 1; i < r.size(); ++i) {
-    run = r[i] == r[i - 1] ? run + 1 : 1;
-    if (run <= longest || run < kMinRun || !is_return(r[i], beams, config_)) continue;
-    longest = run, end_of_longest = i;
+  std::size_t longest = kMinRun - 1;
+  std::optional<float> range_m;
+  for (std::size_t i = 0; i + 1 < r.size();) {
+    if (r[i] != r[i + 1]) {
+      i += kMinRun - 1;  // a run that is long enough has two neighbours at one of these places
+      continue;
+    }
+    std::size_t begin = i, end = i + 2;
+    while (begin > 0 && r[begin - 1] == r[i]) --begin;
+    while (end < r.size() && r[end] == r[i]) ++end;
+    if (end - begin > longest && is_return(r[i], beams, config_)) {
+      longest = end - begin, range_m = r[i];
+    }
+    i = end;
   }
-  if (longest == 0) return std::nullopt;
-  return r[end_of_longest];
+  return range_m;
 }
 
 /// Adds the evidence of a line, and decides.

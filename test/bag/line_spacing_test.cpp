@@ -49,13 +49,13 @@ void expect_mended(const LineSpacing& spacing, const char* words) {
 TEST(LineSpacing, OfLinesFarApart) {
   LineSpacing spacing = pr2();
   spacing.sweeps = 1.0;
-  expect_mended(spacing, "lines are 100 mm apart and beams 22 mm apart: coarse");
+  expect_mended(spacing, "lines are 100 mm apart and beams 22 mm: coarse");
 }
 
 TEST(LineSpacing, OfBeamsFarApart) {
   LineSpacing spacing = pr2();
   spacing.beam_step_rad = 1.0 * kDegree;
-  expect_mended(spacing, "beams 87 mm apart: coarse");
+  expect_mended(spacing, "beams 87 mm: coarse");
   const ModelerConfig changed = adapted({}, spacing);
   EXPECT_DOUBLE_EQ(0.3, changed.ribbon.neighbourhood_m);  // four times the step: twice the length
   EXPECT_EQ(4, changed.ribbon.min_points);

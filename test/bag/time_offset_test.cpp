@@ -103,7 +103,7 @@ TEST_F(Timing, TheWarningNamesTheOptionThatMendsIt) {
 }
 
 TEST_F(Timing, AWrongTimeIncrementIsNoOffset) {
-  for (const double factor : {0.05, 1.0 / 3.0, 6.0}) {
+  for (const double factor : {0.05, 6.0}) {
     const fs::path bag = with_increment(factor);
     const auto found = estimate(bag);
     ASSERT_TRUE(found) << factor;
