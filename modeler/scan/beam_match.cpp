@@ -13,7 +13,8 @@ Moments BeamMatch::matched_moments(std::size_t begin, std::size_t end) const {
   return to_->moments(within(nearest(begin)), within(nearest(end)));
 }
 
-Eigen::Vector3d BeamMatch::interpolated_direction(std::size_t beam) const {
+Eigen::Vector3d BeamMatch::direction(std::size_t beam) const {
+  if (same_) return to_->directions[beam];
   if (size() < 2) return to_->directions.front();
   const double at = position(beam);
   const auto left = static_cast<std::size_t>(

@@ -23,6 +23,9 @@ class BeamMatch {
         scale_(from.angle_increment_rad / to.angle_increment_rad),
         shift_((from.first_angle_rad - to.first_angle_rad) / to.angle_increment_rad) {}
 
+  /// Returns true if both lines have the same bearings.
+  bool is_by_index() const { return same_; }
+
   /// Returns the index of the beam that points nearest to the bearing of `beam`. It lies outside of
   /// the other line where that has no beam.
   std::int64_t nearest(std::size_t beam) const {
@@ -49,9 +52,7 @@ class BeamMatch {
     return same_ ? to_->moments(begin, end) : matched_moments(begin, end);
   }
   /// Returns the direction of the other line at the bearing of `beam`. Interpolates between beams.
-  Eigen::Vector3d direction(std::size_t beam) const {
-    return same_ ? to_->directions[beam] : interpolated_direction(beam);
-  }
+  Eigen::Vector3d direction(std::size_t beam) const;
 
  private:
   std::int64_t size() const { return static_cast<std::int64_t>(to_->size()); }
@@ -62,7 +63,6 @@ class BeamMatch {
   }
   double position(std::size_t beam) const { return shift_ + scale_ * static_cast<double>(beam); }
   Moments matched_moments(std::size_t begin, std::size_t end) const;
-  Eigen::Vector3d interpolated_direction(std::size_t beam) const;
 
   const ScanLine* to_;
   bool same_;

@@ -28,6 +28,9 @@ struct ThreeLines {
   BeamMatch to_previous;     ///< from the beams of the middle line to those of the previous one
   BeamMatch to_next;         ///< from the beams of the middle line to those of the next one
 
+  /// Returns true if all three lines have the same bearings.
+  bool are_matched_by_index() const { return to_previous.is_by_index() && to_next.is_by_index(); }
+
   /// Returns the moments of the returns of all three lines among beams [begin, end).
   Moments moments(std::size_t begin, std::size_t end) const {
     return to_previous.moments(begin, end) + middle.moments(begin, end) +
