@@ -15,12 +15,14 @@ constexpr std::size_t kMaxCandidates = 16;
 constexpr std::size_t kMinRun = 5;  // neighbouring beams; fewer make hardly a ribbon
 constexpr double kNear_m = 0.1;
 constexpr std::size_t kMinLines = 3, kMinBeams = 100;
+constexpr double kFew = 0.05;       // returns further away, per beam that has the range
+constexpr double kFrequent = 0.01;  // share of all beams so far
 
 }  // namespace
 
 const LaserBeams& NoReturnFilter::filter(const LaserBeams& beams) {
-  if (const auto range_m = repeated_range(beams)) weigh(*range_m, beams);
   beams_ += beams.ranges_m.size();
+  if (const auto range_m = repeated_range(beams)) weigh(*range_m, beams);
   const LaserBeams* result = &beams;
   for (Candidate& candidate : candidates_) {
     if (!candidate.is_no_return) continue;
@@ -63,10 +65,15 @@ void NoReturnFilter::weigh(float range_m, const LaserBeams& beams) {
       ++it.equal;
     else if (std::abs(other_m - range_m) < kNear_m)
       ++it.near;
+    if (other_m > range_m && is_return(other_m, beams, config_)) ++it.beyond;
   }
   const bool is_at_the_end = range_m == static_cast<float>(beams.range_max_m);
-  const bool is_frequent = it.lines >= kMinLines && it.equal >= kMinBeams;
-  it.is_no_return = (is_at_the_end || is_frequent) && 2 * it.near < it.equal;
+  const bool is_repeated = it.lines >= kMinLines && it.equal >= kMinBeams;
+  const auto equal = static_cast<double>(it.equal);
+  const bool is_beyond_others = static_cast<double>(it.beyond) < kFew * equal;
+  const bool is_frequent = equal > kFrequent * static_cast<double>(beams_);
+  it.is_no_return = 2 * it.near < it.equal &&
+                    (is_at_the_end || (is_repeated && (is_beyond_others || is_frequent)));
 }
 
 NoReturnFilter::Candidate& NoReturnFilter::candidate(float range_m) {
@@ -74,13 +81,13 @@ NoReturnFilter::Candidate& NoReturnFilter::candidate(float range_m) {
     if (known.range_m == range_m) return known;
   }
   if (candidates_.size() < kMaxCandidates) {
-    return candidates_.emplace_back(Candidate{range_m, 0, 0, 0, 0, false});
+    return candidates_.emplace_back(Candidate{range_m, 0, 0, 0, 0, 0, false});
   }
   Candidate& least = *std::min_element(
       candidates_.begin(), candidates_.end(), [](const Candidate& a, const Candidate& b) {
         return a.is_no_return != b.is_no_return ? b.is_no_return : a.equal < b.equal;
       });
-  return least = {range_m, 0, 0, 0, 0, false};
+  return least = {range_m, 0, 0, 0, 0, 0, false};
 }
 
 void NoReturnFilter::remove(Candidate& no_return, const LaserBeams& beams) {

@@ -43,6 +43,7 @@ class NoReturnFilter {
   struct Candidate {
     float range_m;
     std::size_t lines, equal, near;  // beams: `equal`; `near` are within 10 cm but not equal
+    std::size_t beyond;              // returns further away
     std::size_t removed;             // beams
     bool is_no_return;
   };

@@ -75,6 +75,18 @@ TEST(NoReturnFilter, KeepsSurfacesOfAnyResolutionAndNoise) {
   }
 }
 
+/// A leg before a wall, as lasers with a resolution of a centimetre see it for some seconds.
+TEST(NoReturnFilter, KeepsAThinObject) {
+  std::mt19937 random(1);
+  NoReturnFilter filter{ScanConfig{}};
+  for (int i = 0; i < 300; ++i) {
+    LaserBeams beams = wall_line(INFINITY, 0.01, 0.01, random);
+    if (i > 200 && i < 230) std::fill_n(beams.ranges_m.begin() + 180, 8, 0.49F);
+    filter.filter(beams);
+  }
+  EXPECT_FALSE(filter.found());
+}
+
 TEST(NoReturnFilter, KeepsLinesWithoutRangesAndWithoutNumbers) {
   NoReturnFilter filter{ScanConfig{}};
   LaserBeams beams;
