@@ -88,10 +88,13 @@ Modeler& Modeler::operator=(Modeler&&) noexcept = default;
 LineResult Modeler::add_scan_line(const LaserBeams& beams, const LinePoses& poses) {
   State& s = *state_;
   ++s.lines;
-  const LineResult result = s.front_end.add(beams, poses);
-  if (result != LineResult::modelled) return result;
+  LineResult result = s.front_end.add(beams, poses);
+  if (result != LineResult::waiting) return result;
   while (const std::optional<ThreeLines> lines = s.front_end.next_three_lines()) {
     const LineObservations& line = s.extraction.extract(*lines);
+    if (result != LineResult::modelled) {
+      result = line.ribbons.empty() ? LineResult::no_ribbons : LineResult::modelled;
+    }
     const std::uint32_t first = s.observations.add_line(acquisition_pose(lines->middle), line);
     s.associate(first);
     s.limit_size();
@@ -132,7 +135,8 @@ std::vector<StampedPose> Modeler::trajectory() const {
 const std::vector<Ribbon>& Modeler::ribbons() const { return state_->observations.ribbons(); }
 
 ModelStatistics Modeler::statistics() const {
-  return {state_->lines, state_->observations.ribbons().size(), state_->thinned, state_->revision};
+  return {state_->lines, state_->observations.ribbons().size(), state_->thinned, state_->revision,
+          state_->front_end.no_return()};
 }
 
 std::size_t Modeler::memory_bytes() const {

@@ -4,6 +4,7 @@
 
 #include <cstddef>
 #include <memory>
+#include <optional>
 #include <vector>
 
 #include "modeler/geometry/pose.hpp"
@@ -20,6 +21,7 @@ struct ModelStatistics {
   std::size_t ribbons = 0;   ///< ribbons in the model
   std::size_t thinned = 0;   ///< ribbons removed because of ObservationsConfig::max_ribbons
   std::size_t revision = 0;  ///< corrections applied
+  std::optional<NoReturnRange> no_return;  ///< a range that the driver reports for no return
 };
 
 /// Builds planes from the lines of a tilting laser, and keeps them right when the trajectory is

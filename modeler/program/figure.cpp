@@ -51,8 +51,8 @@ bool draw_figure(Figure figure, const std::filesystem::path& directory,
   const auto script = installed_directory() / "eval" / "figures" / (name + ".py");
   if (run(RIBBON_MAPPER_PYTHON, script.string(), directory.string()) == 0) return true;
   std::fprintf(stderr,
-               "warning: %s.svg and .png were not drawn, see above (is python3-matplotlib "
-               "installed?). To draw them later, run: %s %s %s\n",
+               "warning: %s.svg and .png were not drawn, for the reason above. To draw them later, "
+               "run: %s %s %s\n",
                name.c_str(), RIBBON_MAPPER_PYTHON, script.c_str(),
                later.empty() ? directory.c_str() : later.c_str());
   return false;

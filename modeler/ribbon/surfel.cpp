@@ -13,29 +13,53 @@ namespace {
 constexpr std::int64_t kMinHalfWidth = 2;  // beams
 constexpr double kMaxHalfWidth = 1e6;      // beams; reached only if all of them hit one spot
 
+/// Beams of the middle line.
+struct Segment {
+  std::int64_t first, end;
+};
+
+/// Returns the beams around `beam` that lie on one segment in each of the three lines.
+inline Segment segment_of(const ThreeLines& lines, std::size_t beam) {
+  const ScanLine &previous = lines.previous, &middle = lines.middle, &next = lines.next;
+  if (lines.are_matched_by_index()) {
+    return {std::max({previous.first_of_segment[beam], middle.first_of_segment[beam],
+                      next.first_of_segment[beam]}),
+            std::min({previous.end_of_segment[beam], middle.end_of_segment[beam],
+                      next.end_of_segment[beam]})};
+  }
+  const BeamMatch &to_previous = lines.to_previous, &to_next = lines.to_next;
+  return {std::max({to_previous.first_of_segment(beam), to_next.first_of_segment(beam),
+                    std::int64_t{middle.first_of_segment[beam]}}),
+          std::min({to_previous.end_of_segment(beam), to_next.end_of_segment(beam),
+                    std::int64_t{middle.end_of_segment[beam]}})};
+}
+
 BeamRange around(const ThreeLines& lines, std::size_t beam, double half_length_m) {
   if (!lines.have_return(beam)) return {};
-  const auto& [previous, middle, next] = lines;
+  const ScanLine& middle = lines.middle;
   const double spacing_m = middle.ranges_m[beam] * std::abs(middle.angle_increment_rad);
   const auto half = std::max<std::int64_t>(
       kMinHalfWidth, static_cast<std::int64_t>(std::min(half_length_m / spacing_m, kMaxHalfWidth)));
   const auto here = static_cast<std::int64_t>(beam);
-  const std::int64_t first_of_segments =
-      std::max({previous.first_of_segment[beam], middle.first_of_segment[beam],
-                next.first_of_segment[beam]});
-  const std::int64_t end_of_segments = std::min(
-      {previous.end_of_segment[beam], middle.end_of_segment[beam], next.end_of_segment[beam]});
+  const auto [first_of_segments, end_of_segments] = segment_of(lines, beam);
   const std::int64_t begin = std::max(here - half, first_of_segments);
   const std::int64_t end = std::min(here + half + 1, end_of_segments);
   if (end - begin < 2 * kMinHalfWidth) return {};
   return {static_cast<std::size_t>(begin), static_cast<std::size_t>(end)};
 }
 
-inline double area_m2(const ThreeLines& lines, std::size_t beam) {
+/// Returns the step from the previous line to the next, as the difference of unit directions, where
+/// beams are matched by bearing.
+[[gnu::cold]] Eigen::Vector3d steps_by_bearing(const ThreeLines& lines, std::size_t beam) {
+  return lines.to_next.direction(beam) - lines.to_previous.direction(beam);
+}
+
+inline double area_m2(const ThreeLines& lines, std::size_t beam, bool by_index) {
   const double range = lines.middle.ranges_m[beam];
-  const Eigen::Vector3d& before = lines.previous.directions[beam];
-  const Eigen::Vector3d& after = lines.next.directions[beam];
-  const double half_step_sine = 0.25 * std::sqrt((after - before).squaredNorm());  // of two steps
+  const double square =
+      by_index ? (lines.next.directions[beam] - lines.previous.directions[beam]).squaredNorm()
+               : steps_by_bearing(lines, beam).squaredNorm();
+  const double half_step_sine = 0.25 * std::sqrt(square);  // of two steps
   return 4.0 * range * range * half_step_sine * lines.middle.half_increment_sine;
 }
 
@@ -49,8 +73,8 @@ Flatness flatness_of(const ScanConfig& scan, const RibbonConfig& config) {
 bool estimate(const ThreeLines& lines, std::size_t beam, const BeamRange& near,
               const Flatness& flatness, Surfel& surfel) {
   const Moments middle = lines.middle.moments(near.begin, near.end);
-  const auto normal = flat_normal(middle + lines.previous.moments(near.begin, near.end) +
-                                      lines.next.moments(near.begin, near.end),
+  const auto normal = flat_normal(middle + lines.to_previous.moments(near.begin, near.end) +
+                                      lines.to_next.moments(near.begin, near.end),
                                   flatness);
   if (!normal) return false;
   surfel.beam = static_cast<std::uint32_t>(beam);
@@ -66,12 +90,15 @@ BeamRange neighbourhood_of(const ThreeLines& lines, std::size_t beam, double hal
   return around(lines, beam, half_length_m);
 }
 
-double surfel_area_m2(const ThreeLines& lines, std::size_t beam) { return area_m2(lines, beam); }
+double surfel_area_m2(const ThreeLines& lines, std::size_t beam) {
+  return area_m2(lines, beam, lines.are_matched_by_index());
+}
 
 double capped_area_m2(const ThreeLines& lines, const BeamRange& beams, double cap_m2) {
   double sum_m2 = 0.0;
+  const bool by_index = lines.are_matched_by_index();
   for (std::size_t beam = beams.begin; beam < beams.end; ++beam) {
-    sum_m2 += std::min(cap_m2, area_m2(lines, beam));
+    sum_m2 += std::min(cap_m2, area_m2(lines, beam, by_index));
   }
   return sum_m2;
 }
@@ -80,6 +107,7 @@ void estimate_surfels(const ThreeLines& lines, const ScanConfig& scan, const Rib
                       std::vector<Surfel>& surfels) {
   surfels.clear();
   const Flatness flatness = flatness_of(scan, config);
+  const bool by_index = lines.are_matched_by_index();
   Surfel surfel;
   for (std::size_t beam = 0; beam < lines.middle.size();) {
     if (!lines.middle.has_return(beam)) {
@@ -89,8 +117,8 @@ void estimate_surfels(const ThreeLines& lines, const ScanConfig& scan, const Rib
     const BeamRange near = around(lines, beam, config.neighbourhood_m);
     const std::size_t stride = std::max<std::size_t>(1, near.size() / 8);
     if (near.size() > 0 && estimate(lines, beam, near, flatness, surfel)) {
-      surfel.area_m2 =
-          std::min(config.area_cap_m2, area_m2(lines, beam)) * static_cast<double>(stride);
+      surfel.area_m2 = std::min(config.area_cap_m2, area_m2(lines, beam, by_index)) *
+                       static_cast<double>(stride);
       surfels.push_back(surfel);
     }
     beam += stride;

@@ -22,8 +22,9 @@ class LineAverager {
   /// Creates an averager without lines.
   explicit LineAverager(const ScanConfig& config) : config_(config) {}
 
-  /// Adds a line. A line with other beams than those before it starts a new average, and so does a
-  /// line that exceeds the largest number of averaged lines.
+  /// Adds a line. Beams of another bearing than the first line's are interpolated. A line with
+  /// entirely other beams starts a new average, and so does a line that exceeds the largest number
+  /// of averaged lines.
   void add(const LaserBeams& beams, const LinePoses& poses);
 
   /// Removes all lines.

@@ -4,7 +4,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <limits>
+
+#include "modeler/scan/beam_match.hpp"
 
 namespace ribbon_mapper {
 namespace {
@@ -17,11 +20,15 @@ double square_across(const Eigen::Vector3d& moved, const ScanLine& line, std::si
   return part * part / across.squaredNorm();
 }
 
+bool turn_opposite_ways(const ScanLine& a, const ScanLine& b) {
+  return a.angle_increment_rad * b.angle_increment_rad < 0.0;
+}
+
 }  // namespace
 
 void LineBuffer::push() {
   const std::size_t incoming = (newest_ + 1) % kSlots;
-  if (count_ > 0 && lines_[incoming].size() != lines_[newest_].size()) clear();
+  if (count_ > 0 && turn_opposite_ways(lines_[incoming], lines_[newest_])) clear();
   newest_ = incoming;
   if (count_ < kSlots - 1) {
     ++count_;
@@ -53,20 +60,30 @@ bool LineBuffer::are_apart(const ScanLine& before, const ScanLine& line) const {
 }
 
 double base_line_m(const ScanLine& before, const ScanLine& line) {
-  if (before.size() != line.size() || line.size() < 2)
+  if (before.size() < 2 || line.size() < 2 || turn_opposite_ways(before, line)) {
     return std::numeric_limits<double>::infinity();
+  }
   constexpr std::size_t samples = 32;
+  const BeamMatch match(line, before);
   std::array<double, samples> squares;
   std::size_t count = 0;
+  bool have_common_bearings = false;
   const Eigen::Vector3d of_first = line.first_origin - before.first_origin;
   const Eigen::Vector3d per_beam = line.origin_step - before.origin_step;
   const std::size_t stride = (line.size() + samples - 1) / samples;
   for (std::size_t i = 0; i < line.size() && count < samples; i += stride) {
+    const std::int64_t at = match.nearest(i);
+    if (at < 0 || at >= static_cast<std::int64_t>(before.size())) continue;
+    have_common_bearings = true;
     if (!line.has_return(i)) continue;
-    const Eigen::Vector3d moved = of_first + static_cast<double>(i) * per_beam +
-                                  line.ranges_m[i] * (line.directions[i] - before.directions[i]);
-    squares[count++] = square_across(moved, before, i);
+    const auto other = static_cast<std::size_t>(at);
+    const double beams_apart = static_cast<double>(i) - static_cast<double>(other);
+    const Eigen::Vector3d moved =
+        of_first + static_cast<double>(i) * per_beam + beams_apart * before.origin_step +
+        line.ranges_m[i] * (line.directions[i] - before.directions[other]);
+    squares[count++] = square_across(moved, before, other);
   }
+  if (!have_common_bearings) return std::numeric_limits<double>::infinity();
   if (count == 0) return 0.0;
   std::nth_element(squares.begin(), squares.begin() + count / 2, squares.begin() + count);
   return std::sqrt(squares[count / 2]);

@@ -23,7 +23,7 @@ class LineBuffer {
   /// Returns the line to be filled by place_beams() before push().
   ScanLine& incoming() { return lines_[(newest_ + 1) % kSlots]; }
 
-  /// Adds the incoming line. A line with another number of beams clears the buffer first.
+  /// Adds the incoming line. A line that turns the other way round clears the buffer first.
   void push();
 
   /// Removes all lines.
@@ -51,8 +51,9 @@ class LineBuffer {
 
 /// Returns the distance between two lines' beams, at the ranges of `line` and across the lines [m].
 ///
-/// The distance is the median over the beams; a shift along the lines does not count. It is 0 if
-/// `line` has no returns and infinite if the lines have different numbers of beams.
+/// The distance is the median over the beams; a shift along the lines does not count. Beams are
+/// matched by bearing. It is 0 if `line` has no returns at bearings that both lines have, and
+/// infinite if there is no such bearing, or if the lines turn opposite ways.
 double base_line_m(const ScanLine& before, const ScanLine& line);
 
 }  // namespace ribbon_mapper

@@ -28,6 +28,10 @@ const char* to_string(LineResult result) {
   switch (result) {
     case LineResult::modelled:
       return "modelled";
+    case LineResult::waiting:
+      return "waiting for neighbours";
+    case LineResult::no_ribbons:
+      return "no ribbons";
     case LineResult::too_close:
       return "too close";
     case LineResult::no_returns:
@@ -41,10 +45,14 @@ const char* to_string(LineResult result) {
 }
 
 ScanFrontEnd::ScanFrontEnd(const ScanConfig& config)
-    : config_(config), buffer_(config.base_line_sigmas * config.range_sigma_m), averager_(config) {}
+    : config_(config),
+      no_returns_(config),
+      buffer_(config.base_line_sigmas * config.range_sigma_m),
+      averager_(config) {}
 
-LineResult ScanFrontEnd::add(const LaserBeams& beams, const LinePoses& poses_in_odom) {
-  if (find_defect(beams, poses_in_odom)) return LineResult::malformed;
+LineResult ScanFrontEnd::add(const LaserBeams& raw_beams, const LinePoses& poses_in_odom) {
+  if (find_defect(raw_beams, poses_in_odom)) return LineResult::malformed;
+  const LaserBeams& beams = no_returns_.filter(raw_beams);
   ScanLine& line = buffer_.incoming();
   line.odom_origin = odom_origin_for(poses_in_odom);
   const LinePoses poses = relative_to(line.odom_origin, poses_in_odom);
@@ -59,7 +67,7 @@ LineResult ScanFrontEnd::add(const LaserBeams& beams, const LinePoses& poses_in_
   }
   averager_.clear();
   buffer_.push();
-  return LineResult::modelled;
+  return LineResult::waiting;
 }
 
 /// Returns the present origin, or one near the robot if that is too far from it.

@@ -260,6 +260,7 @@ void place_beams(const LaserBeams& beams, const LinePoses& poses, const ScanConf
   line.T_map_base = poses.T_map_base;
   line.T_odom_base = interpolate(poses.T_odom_base_first, poses.T_odom_base_last, 0.5);
   line.half_increment_sine = std::sin(0.5 * std::abs(beams.angle_increment_rad));
+  line.first_angle_rad = beams.angle_min_rad;
   line.angle_increment_rad = beams.angle_increment_rad;
   line.averaged_lines = 1;
   resize(line, beams.ranges_m.size());

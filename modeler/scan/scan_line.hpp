@@ -23,6 +23,7 @@ struct ScanLine {
   Pose T_map_base = Pose::Identity();   ///< acquisition pose: base in map at `stamp`
   Pose T_odom_base = Pose::Identity();  ///< base in odom at `stamp`, relative to `odom_origin`
   Eigen::Vector3d odom_origin = Eigen::Vector3d::Zero();  ///< subtracted from positions in odom [m]
+  double first_angle_rad = 0.0;                           ///< angle of the first beam
   double angle_increment_rad = 0.0;  ///< angle between neighbouring beams, signed
   double half_increment_sine = 0.0;  ///< sin(dtheta / 2) of eq. 2
   std::size_t averaged_lines = 1;    ///< number of lines that this one is the mean of

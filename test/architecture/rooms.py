@@ -44,7 +44,9 @@ ROOMS = {
     "modeler/ros/node": Room(_TOOLS + ["modeler/ros/messages", "modeler/ros/intake"], ANY),
     "modeler/ros/slam_adapter": Room(_TOOLS + _ROS, ANY),
     "modeler/ros/bag": Room(_TOOLS + _ROS, ANY),
-    "modeler/ros/bag_check": Room(_TOOLS + _ROS + ["modeler/ros/bag"], ANY),
+    "modeler/ros/bag_timing": Room(_TOOLS + _ROS + ["modeler/ros/bag"], ANY),
+    "modeler/ros/bag_check": Room(_TOOLS + _ROS + ["modeler/ros/bag", "modeler/ros/bag_timing"],
+                                  ANY),
     "modeler/ros/offline": Room(_TOOLS + _ROS + ["modeler/ros/bag", "modeler/ros/bag_check"], ANY),
     # The simulator has its own beam geometry, so that an error in one cannot hide in the other.
     "sim/shapes": Room(_POSE, ["Eigen", "assimp", "sys"]),

@@ -76,7 +76,8 @@ TEST(Modeler, StaysWithinItsMemory) {
     for (Line line : tour_without_drift()) {
       line.beams.stamp += from_seconds(20.0 * round);
       const LineResult result = modeler.add_scan_line(line.beams, line.poses);
-      ASSERT_TRUE(result == LineResult::modelled || result == LineResult::too_close);
+      ASSERT_TRUE(result == LineResult::modelled || result == LineResult::too_close ||
+                  result == LineResult::waiting);
       ASSERT_LE(modeler.statistics().ribbons, 600u);
     }
     const std::size_t bytes = modeler.memory_bytes();
@@ -125,7 +126,7 @@ TEST(Modeler, ReportsTheResultOfEachLine) {
     spoil(line);
     return modeler.add_scan_line(line.beams, line.poses);
   };
-  EXPECT_EQ(LineResult::modelled, result_of(lines[10], [](Line&) {}));
+  EXPECT_EQ(LineResult::waiting, result_of(lines[10], [](Line&) {}));
   EXPECT_EQ(LineResult::out_of_order, result_of(lines[10], [](Line&) {}));
   EXPECT_EQ(LineResult::out_of_order, result_of(lines[9], [](Line&) {}));
   EXPECT_EQ(LineResult::too_close,
@@ -143,12 +144,54 @@ TEST(Modeler, ReportsTheResultOfEachLine) {
   EXPECT_EQ(LineResult::malformed, result_of(lines[11], [](Line& line) {
               line.poses.T_map_base.translation().x() = kNan;
             }));
-  EXPECT_EQ(LineResult::modelled, result_of(lines[11], [](Line&) {}));
-  EXPECT_EQ(15u, modeler.statistics().lines);
+  EXPECT_EQ(LineResult::waiting, result_of(lines[11], [](Line&) {}));
+  EXPECT_EQ(LineResult::modelled, result_of(lines[12], [](Line&) {}));
+  EXPECT_EQ(16u, modeler.statistics().lines);
+}
+
+/// Beams that are fewer than ribbon.min_points make no ribbon.
+TEST(Modeler, DoesNotCallALineWithoutRibbonsModelled) {
+  Modeler modeler{ModelerConfig{}};
+  std::size_t without = 0;
+  for (Line line : tour_without_drift()) {
+    for (std::size_t i = 4; i < line.beams.ranges_m.size(); ++i) line.beams.ranges_m[i] = kInf;
+    const LineResult result = modeler.add_scan_line(line.beams, line.poses);
+    EXPECT_NE(LineResult::modelled, result);
+    without += result == LineResult::no_ribbons;
+  }
+  EXPECT_GT(without, 100u);
+  EXPECT_EQ(0u, modeler.statistics().ribbons);
+}
+
+/// Leaves out another number of beams at both ends of each line and takes each line at another
+/// step, as lasers do whose motor and sampling are not synchronised.
+TEST(Modeler, TakesLinesOfAnyNumberOfBeams) {
+  Modeler modeler{ModelerConfig{}};
+  Lines lines;
+  for (std::size_t beams = 351; beams <= 371; ++beams) {
+    const double from_s = 0.7 * static_cast<double>(beams - 351);
+    for (Line& line : drive(room(), {around_the_middle, to_and_fro, no_drift}, from_s,
+                            from_s + 0.69, {beams, 0.005, 1})) {
+      lines.push_back(std::move(line));
+    }
+  }
+  std::size_t i = 0, modelled = 0;
+  for (Line& line : lines) {
+    LaserBeams& beams = line.beams;
+    const std::size_t cut = ++i % 7;
+    beams.ranges_m.erase(beams.ranges_m.begin(),
+                         beams.ranges_m.begin() + static_cast<std::ptrdiff_t>(cut));
+    beams.angle_min_rad += static_cast<double>(cut) * beams.angle_increment_rad;
+    modelled += modeler.add_scan_line(beams, line.poses) == LineResult::modelled;
+  }
+  EXPECT_GT(modelled, lines.size() * 3 / 4);
+  expect_one_for_each(room(), modeler.planes(), 0.3, 0.01);
 }
 
 TEST(Modeler, HasANameForEachResult) {
   EXPECT_STREQ("modelled", to_string(LineResult::modelled));
+  EXPECT_STREQ("waiting for neighbours", to_string(LineResult::waiting));
+  EXPECT_STREQ("no ribbons", to_string(LineResult::no_ribbons));
   EXPECT_STREQ("too close", to_string(LineResult::too_close));
   EXPECT_STREQ("no returns", to_string(LineResult::no_returns));
   EXPECT_STREQ("malformed", to_string(LineResult::malformed));

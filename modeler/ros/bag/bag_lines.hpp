@@ -61,6 +61,8 @@ class BagLines {
   const std::vector<std::string>& choices() const { return choices_; }
   /// Returns the frame of the scans.
   const std::string& laser_frame() const { return laser_frame_; }
+  /// Returns tf around the newest line, back to BagOptions::tf_cache_s.
+  const tf2::BufferCore& buffer() const { return tf_; }
 
  private:
   void read_transforms();

@@ -11,7 +11,9 @@
 #include "modeler/ros/bag_check/scan_survey.hpp"
 #include "modeler/ros/bag_check/tf_survey.hpp"
 #include "modeler/ros/bag_check/tilt_survey.hpp"
+#include "modeler/ros/intake/model_doubts.hpp"
 #include "modeler/ros/messages/message_conversions.hpp"
+#include "modeler/ros/node/model_keeper.hpp"
 
 namespace ribbon_mapper {
 namespace {
@@ -45,29 +47,49 @@ void report_drops(const LineLog& log, BagReport& report) {
   }
 }
 
+/// Adds what became of the lines. A model without ribbons is a fault, and one with planes shows
+/// that no fault is one.
+void report_model(ModelKeeper& keeper, const AssemblyConfig& config, BagReport& report) {
+  const ModelStatistics statistics = keeper.modeler().statistics();
+  const std::size_t planes = keeper.planes().size();
+  if (planes > 0) {
+    report.fact("the lines give " + counted(statistics.ribbons, "ribbon") + " and " +
+                counted(planes, "plane"));
+    report.turn_faults_into_warnings();
+    return;
+  }
+  const std::string why = "no plane: " + why_no_planes(keeper.log(), statistics, config);
+  statistics.ribbons == 0 ? report.fault(why) : report.warning(why);
+}
+
 void check(const std::vector<std::filesystem::path>& files, const BagOptions& options,
-           BagReport& report) {
+           const ModelerConfig& preset, BagReport& report) {
   const BagSet bags(files);
   list_topics(bags.topics(), report);
-  ScanSurvey scans;
-  LineLog log;
-  BagLines lines(files, options, log);
+  ScanSurvey scans(preset.scan);
+  ModelKeeper keeper(preset);
+  BagLines lines(files, options, keeper.log());
   survey_scans(bags, lines.scan_topic(), scans);
   scans.report(report);
   report_transforms(lines, scans, report);
 
   TiltSurvey tilt;
-  while (const std::optional<ReadyLine> line = lines.next()) tilt.add(line->beams, line->poses);
-  report_drops(log, report);
-  tilt.report(scans, report);
+  while (const std::optional<ReadyLine> line = lines.next()) {
+    tilt.add(line->beams, line->poses);
+    keeper.add(*line);
+  }
+  report_drops(keeper.log(), report);
+  tilt.report(scans, preset, report);
+  report_model(keeper, preset.assembly, report);
 }
 
 }  // namespace
 
-BagReport check_bags(const std::vector<std::filesystem::path>& files, const BagOptions& options) {
+BagReport check_bags(const std::vector<std::filesystem::path>& files, const BagOptions& options,
+                     const ModelerConfig& preset) {
   BagReport report;
   try {
-    check(files, options, report);
+    check(files, options, preset, report);
   } catch (const std::runtime_error& error) {
     report.fault(error.what());
   }

@@ -10,7 +10,7 @@ namespace {
 
 constexpr const char* kDescription =
     "Checks whether a bag can be mapped and reports what is wrong with it: topics, stamps, gaps,\n"
-    "tf, ranges, the tilt, line spacing against noise, and the time offset of the laser.";
+    "tf, ranges, the tilt, the spacing of lines and beams, and the time offset of the laser.";
 
 constexpr const char* kFooter =
     "Exit code: 0 it can be mapped (with or without warnings), 1 it cannot, 2 wrong usage.";
@@ -61,8 +61,10 @@ std::variant<BagCheckOptions, int> parse_bag_check_options(int argc, const char*
   CLI::App app(kDescription, "bag_check");
   app.footer(kFooter);
   app.add_option("bag", options.bags, "bags, read as one in the order of time")->required();
-  app.add_option("--config", options.config,
-                 "preset: also compare up and down sweeps and propose a time offset");
+  app.add_option("--config", options.config, "preset that the bag is judged by")
+      ->capture_default_str();
+  app.add_option("--propose-preset", options.proposed_preset,
+                 "write a preset for this laser to a file, for --config");
   add_bag_options(app, options.bag, tf_drop_frames);
   try {
     app.parse(argc, argv);

@@ -15,8 +15,9 @@ namespace ribbon_mapper {
 /// Command line options of `bag_check`.
 struct BagCheckOptions {
   std::vector<std::filesystem::path> bags;  ///< read as one
-  std::string config;  ///< preset for the check of the time offset; empty: no such check
-  BagOptions bag;      ///< topic, frames and times
+  std::string config = "config/pr2.yaml";   ///< preset that the bag is judged by
+  std::filesystem::path proposed_preset;    ///< file to write a preset to; empty: none
+  BagOptions bag;                           ///< topic, frames and times
 };
 
 /// Returns the options, or the exit code if the program has printed its help (0) or a usage error

@@ -14,6 +14,12 @@ std::size_t BagReport::count(Finding::Weight weight) const {
                     [weight](const Finding& finding) { return finding.weight == weight; }));
 }
 
+void BagReport::turn_faults_into_warnings() {
+  for (Finding& finding : findings_) {
+    if (finding.weight == Finding::Weight::fault) finding.weight = Finding::Weight::warning;
+  }
+}
+
 std::string BagReport::text() const {
   struct Section {
     Finding::Weight weight;

@@ -29,6 +29,9 @@ class BagReport {
   /// Adds a finding that makes mapping impossible.
   void fault(std::string text) { add(Finding::Weight::fault, std::move(text)); }
 
+  /// Turns the faults into warnings, because a model was made all the same.
+  void turn_faults_into_warnings();
+
   /// Returns all findings in the order in which they were added.
   const std::vector<Finding>& findings() const { return findings_; }
   /// Returns the number of findings of a weight.

@@ -4,9 +4,12 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <utility>
 
 #include "modeler/ros/bag_check/number_text.hpp"
+#include "modeler/ros/bag_timing/time_increment.hpp"
+#include "modeler/ros/intake/model_doubts.hpp"
 #include "modeler/ros/messages/message_conversions.hpp"
 
 namespace ribbon_mapper {
@@ -16,10 +19,13 @@ constexpr std::size_t kMaxSamples = 1'000'000;  // enough: the beginning of a lo
 constexpr double kEdge_m = 0.2;                 // larger second differences are jumps in depth
 constexpr double kOtherClock_s = 60.0;
 
-bool is_usable(float range_m, const sensor_msgs::LaserScan& scan) {
-  return std::isfinite(range_m) && range_m > 0.0F && range_m >= scan.range_min &&
-         range_m <= scan.range_max;
+bool is_usable(float range_m, const LaserBeams& beams) {
+  return std::isfinite(range_m) && range_m > 0.0F && range_m >= beams.range_min_m &&
+         range_m <= beams.range_max_m;
 }
+
+/// Returns a share as a percentage.
+std::string percent(double share) { return number(100.0 * share, 1) + " %"; }
 
 }  // namespace
 
@@ -46,33 +52,43 @@ void ScanSurvey::add(const sensor_msgs::LaserScan& scan, const ros::Time& record
     if (!scan.header.stamp.isZero()) ++defects_[*defect];
     return;
   }
-  beams_ = scan.ranges.size();
+  const std::size_t beams = scan.ranges.size();
+  min_beams_ = max_beams_ == 0 ? beams : std::min(min_beams_, beams);
+  max_beams_ = std::max(max_beams_, beams);
+  missing_beams_ = std::max(missing_beams_, missing_beams(scan));
+  scan_time_s_ = scan.scan_time;
   first_angle_rad_ = scan.angle_min, last_angle_rad_ = scan.angle_max;
-  beam_step_rad_ = std::abs(scan.angle_increment);
-  look_at_ranges(scan);
+  add(beams_of(scan));
 }
 
-void ScanSurvey::look_at_ranges(const sensor_msgs::LaserScan& scan) {
-  ranges_ += scan.ranges.size();
-  for (const float range_m : scan.ranges) {
+void ScanSurvey::add(const LaserBeams& beams) {
+  last_ = beams;
+  beam_step_rad_ = std::abs(beams.angle_increment_rad);
+  count_ranges(no_returns_.filter(beams));
+}
+
+void ScanSurvey::count_ranges(const LaserBeams& beams) {
+  ranges_ += beams.ranges_m.size();
+  for (const float range_m : beams.ranges_m) {
     if (std::isnan(range_m))
       ++nan_;
     else if (std::isinf(range_m))
       ++infinite_;
     else if (range_m == 0.0F)
       ++zero_;
-    else if (!is_usable(range_m, scan))
+    else if (!is_usable(range_m, beams))
       ++out_of_range_;
     else if (some_ranges_m_.size() < kMaxSamples)
       some_ranges_m_.push_back(range_m);
   }
-  look_at_noise(scan);
+  look_at_noise(beams);
 }
 
-void ScanSurvey::look_at_noise(const sensor_msgs::LaserScan& scan) {
-  const std::vector<float>&r = scan.ranges, &last = last_ranges_m_, &before = second_last_ranges_m_;
+void ScanSurvey::look_at_noise(const LaserBeams& beams) {
+  const std::vector<float>&r = beams.ranges_m, &last = last_ranges_m_,
+        &before = second_last_ranges_m_;
   const auto take = [&](float a, float b, float c, std::vector<float>& differences) {
-    if (!is_usable(a, scan) || !is_usable(b, scan) || !is_usable(c, scan)) return;
+    if (!is_usable(a, beams) || !is_usable(b, beams) || !is_usable(c, beams)) return;
     const float difference = std::abs(a - 2.0F * b + c);
     if (difference < kEdge_m && differences.size() < kMaxSamples) differences.push_back(difference);
   };
@@ -87,8 +103,13 @@ double ScanSurvey::median_period_s() const { return median_of(periods_s_); }
 
 double ScanSurvey::median_delay_s() const { return median_of(delays_s_); }
 
-double ScanSurvey::median_range_m() const {
-  return median_of({some_ranges_m_.begin(), some_ranges_m_.end()});
+double ScanSurvey::range_m(double share) const {
+  if (some_ranges_m_.empty()) return 0.0;
+  std::vector<float> ranges_m = some_ranges_m_;
+  const auto at = ranges_m.begin() +
+                  static_cast<std::ptrdiff_t>(share * static_cast<double>(ranges_m.size() - 1));
+  std::nth_element(ranges_m.begin(), at, ranges_m.end());
+  return *at;
 }
 
 double ScanSurvey::noise_m() const {
@@ -114,7 +135,10 @@ void ScanSurvey::report(BagReport& report) const {
       report.fact("the scans' frame " + frame + " has a leading slash; it is stripped");
     }
   }
-  if (beams_ > 0) report_ranges(report);
+  if (max_beams_ == 0) return;
+  report_angles(report);
+  report_time_increment(report);
+  report_ranges(report);
 }
 
 void ScanSurvey::report_stamps(BagReport& report) const {
@@ -125,7 +149,9 @@ void ScanSurvey::report_stamps(BagReport& report) const {
   if (without_stamp_ > 0) report.warning(counted(without_stamp_, "scan") + " without a stamp");
   const double period_s = median_period_s();
   if (period_s > 0.0) {
-    report.fact(counted(scans_, "scan") + " of " + counted(beams_, "beam") + " at " +
+    const std::string least =
+        min_beams_ < max_beams_ ? std::to_string(min_beams_) + " to " : std::string();
+    report.fact(counted(scans_, "scan") + " of " + least + counted(max_beams_, "beam") + " at " +
                 number(1.0 / period_s, 1) + " Hz, from " + degrees(first_angle_rad_) + " to " +
                 degrees(last_angle_rad_) + " degrees");
   }
@@ -147,18 +173,60 @@ void ScanSurvey::report_stamps(BagReport& report) const {
   }
 }
 
+void ScanSurvey::report_angles(BagReport& report) const {
+  if (missing_beams_ <= 1.5) return;
+  report.warning("angle_max counts " + number(missing_beams_, 0) +
+                 " beams more than there are ranges: beams are placed by angle_min and "
+                 "angle_increment alone. Correct the driver, or the filter that crops ranges");
+}
+
+void ScanSurvey::report_time_increment(BagReport& report) const {
+  const double period_s = median_period_s(), increment_s = last_.time_increment_s;
+  if (increment_s == 0.0) {
+    report.fact("time_increment is 0: all beams of a line count as taken at its stamp");
+    return;
+  }
+  if (fits_period(increment_s, last_, period_s)) return;
+  const auto microseconds = [](double seconds) { return number(1e6 * seconds, 2) + " us"; };
+  const auto milliseconds = [](double seconds) { return number(1e3 * seconds, 1) + " ms"; };
+  const double steps = static_cast<double>(last_.ranges_m.size()) - 1.0;
+  const std::string facts = "time_increment is " + microseconds(increment_s) +
+                            ", so that lines last " + milliseconds(steps * increment_s) +
+                            ", scan_time is " + milliseconds(scan_time_s_) +
+                            ", and lines come every " + milliseconds(period_s);
+  const bool skips_lines = scan_time_s_ > 0.0 && scan_time_s_ < 0.75 * period_s &&
+                           fits_period(increment_s, last_, scan_time_s_);
+  if (skips_lines) {
+    report.fact(facts + ": most turns of the laser are left out");
+  } else if (steps * increment_s > period_s) {
+    report.warning(facts + ": lines last longer than their period. A constant turn would need " +
+                   microseconds(time_increment_of(period_s, last_.angle_increment_rad)) +
+                   ": correct the driver");
+  } else {
+    report.warning(facts + ": these do not fit. A constant turn would need a time_increment of " +
+                   microseconds(time_increment_of(period_s, last_.angle_increment_rad)) +
+                   ": correct the driver");
+  }
+}
+
 void ScanSurvey::report_ranges(BagReport& report) const {
   const auto share = [this](std::size_t count) {
-    return number(100.0 * static_cast<double>(count) / static_cast<double>(ranges_), 1) + " %";
+    return percent(static_cast<double>(count) / static_cast<double>(ranges_));
   };
   const std::size_t usable = ranges_ - nan_ - infinite_ - zero_ - out_of_range_;
-  report.fact("ranges: " + share(usable) + " usable (median " + number(median_range_m(), 2) +
-              " m), " + share(infinite_) + " infinite, " + share(nan_) + " NaN, " + share(zero_) +
-              " zero, " + share(out_of_range_) + " out of the sensor's range");
+  report.fact("ranges: " + share(usable) + " usable (median " + number(range_m(0.5), 2) + " m), " +
+              share(infinite_) + " infinite, " + share(nan_) + " NaN, " + share(zero_) + " zero, " +
+              share(out_of_range_) + " out of the sensor's range");
   if (usable == 0) {
     report.fault("not one range is usable: is the laser covered, or its driver broken?");
   } else if (10 * usable < ranges_) {
     report.warning("only " + share(usable) + " of the ranges are usable");
+  }
+  if (const auto no_return = no_returns_.found()) {
+    report.warning(no_return_text(*no_return) + ". Correct the driver: REP 117 wants infinity");
+  }
+  if (last_.range_max_m == std::numeric_limits<double>::infinity()) {
+    report.fact("range_max is not set: only scan.max_range_m limits ranges");
   }
   if (zero_ > 0) report.fact("ranges of zero (a driver older than REP 117) count as no return");
 }

@@ -12,6 +12,7 @@ namespace ribbon_mapper {
 namespace {
 
 constexpr double kStill_rad = 0.01, kStill_m = 0.05;
+constexpr double kMinStep_rad = 1e-5;  // smaller turns are standstill
 constexpr double kTurnedRound_rad = 1.9 * M_PI;
 
 /// Returns the indices where the angle reverses by more than a tenth of its whole range.
@@ -59,10 +60,11 @@ std::vector<double> TiltSurvey::angles_rad() const {
   return angles;
 }
 
-void TiltSurvey::report(const ScanSurvey& scans, BagReport& report) const {
+void TiltSurvey::report(const ScanSurvey& scans, const ModelerConfig& preset,
+                        BagReport& report) const {
   if (stamps_.size() < 2) return;
   report_tilt(report);
-  report_spacing(scans, report);
+  report_spacing(spacing(scans), preset, report);
 }
 
 void TiltSurvey::report_tilt(BagReport& report) const {
@@ -100,29 +102,24 @@ void TiltSurvey::report_tilt(BagReport& report) const {
   report.fact(text);
 }
 
-void TiltSurvey::report_spacing(const ScanSurvey& scans, BagReport& report) const {
+LineSpacing TiltSurvey::spacing(const ScanSurvey& scans) const {
   std::vector<double> steps_rad;
   for (const Eigen::Vector3d& turn : turns_rad_) {
-    if (turn.norm() > 1e-5) steps_rad.push_back(turn.norm());
+    if (turn.norm() > kMinStep_rad) steps_rad.push_back(turn.norm());
   }
-  const double step_rad = median_of(steps_rad);
-  const double noise_m = scans.noise_m(), range_m = scans.median_range_m();
-  if (steps_rad.empty() || range_m <= 0.0) return;
-  const double spacing_m = step_rad * range_m;
-  const std::string facts =
-      "lines are " + degrees(step_rad, 2) + " degrees apart, " + number(1e3 * spacing_m, 0) +
-      " mm at the median range; the noise of a range is about " + number(1e3 * noise_m, 0) + " mm";
-  const double beam_spacing_m = scans.beam_step_rad() * range_m;
-  if (spacing_m < noise_m) {
-    report.warning(facts +
-                   ": closer than the noise. Lines are averaged; a preset with "
-                   "scan.base_line_sigmas 3 (config/urg04lx.yaml) makes the most of them");
-  } else if (beam_spacing_m > 0.025) {
-    report.warning(facts + "; beams are " + number(1e3 * beam_spacing_m, 0) +
-                   " mm apart: coarse. Use wider cells and neighbourhoods (config/room_scan.yaml)");
-  } else {
-    report.fact(facts);
-  }
+  const std::vector<double> angles = angles_rad();
+  const auto [lowest, highest] = std::minmax_element(angles.begin(), angles.end());
+  const double range_rad = *highest - *lowest;
+  LineSpacing spacing;
+  spacing.line_step_rad = median_of(steps_rad);
+  spacing.beam_step_rad = scans.beam_step_rad();
+  spacing.sweeps =
+      std::max(range_rad / M_PI, 1.0 + static_cast<double>(reversals(angles, range_rad).size()));
+  spacing.noise_m = scans.noise_m();
+  spacing.median_range_m = scans.range_m(0.5);
+  spacing.far_range_m = scans.range_m(0.9);
+  spacing.base_stands = base_travel_m_ < kStill_m && base_turn_rad_ < kStill_rad;
+  return spacing;
 }
 
 }  // namespace ribbon_mapper

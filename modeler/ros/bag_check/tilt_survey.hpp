@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "modeler/ros/bag_check/bag_report.hpp"
+#include "modeler/ros/bag_check/line_spacing.hpp"
 #include "modeler/ros/bag_check/scan_survey.hpp"
 #include "modeler/scan/laser_beams.hpp"
 
@@ -16,13 +17,16 @@ class TiltSurvey {
  public:
   /// Adds a scan line with its poses.
   void add(const LaserBeams& beams, const LinePoses& poses);
-  /// Adds the findings to a report; `scans` has the same bag.
-  void report(const ScanSurvey& scans, BagReport& report) const;
+  /// Adds the findings to a report; `scans` has the same bag. The spacing of lines and beams is
+  /// judged by a preset.
+  void report(const ScanSurvey& scans, const ModelerConfig& preset, BagReport& report) const;
+
+  /// Returns the spacing of lines and beams; `scans` has the same bag.
+  LineSpacing spacing(const ScanSurvey& scans) const;
 
  private:
   std::vector<double> angles_rad() const;  ///< of each line about the main axis of rotation
   void report_tilt(BagReport& report) const;
-  void report_spacing(const ScanSurvey& scans, BagReport& report) const;
 
   std::vector<Time> stamps_;
   std::vector<Eigen::Vector3d> turns_rad_;  ///< rotation vectors from line to line, in base

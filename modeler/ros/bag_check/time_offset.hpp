@@ -19,13 +19,16 @@ struct TimeOffset {
   double offset_s = 0.0;         ///< to be added to the stamps of the scans
   double thickness_m = 0.0;      ///< of the planes with the offset
   double thickness_now_m = 0.0;  ///< of the planes without it
+  /// The time increment that the offset was found with, if that is not the recorded one.
+  std::optional<double> time_increment_s;
 };
 
-/// Estimates the constant error of the laser's stamps from the first half minute. If the stamps are
-/// off, planes of up sweeps and of down sweeps are tilted against each other. The right offset
-/// makes them agree, and so gives the thinnest planes. Returns nothing if the thickness does not
-/// depend on the offset: the tilt stands still or turns in one direction only, or there are no
-/// planes.
+/// Estimates the constant error of the laser's stamps, up to a second, from the first half minute.
+/// If the stamps are off, surfaces of up sweeps and of down sweeps lie apart. The right offset
+/// makes them agree: their points lie in the fewest voxels, and make the thinnest planes. If the
+/// time increment cannot be meant, the one that fits the period of the lines is tried as well.
+/// Returns nothing if the motion cannot tell: the tilt stands still or turns in one direction only,
+/// several offsets fit, or there are no planes.
 std::optional<TimeOffset> estimate_time_offset(const std::vector<std::filesystem::path>& bags,
                                                const BagOptions& options,
                                                const ModelerConfig& config);

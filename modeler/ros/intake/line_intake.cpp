@@ -69,7 +69,7 @@ std::optional<ReadyLine> LineIntake::take(const tf2::BufferCore& tf, const Gives
     }
     auto found = find_line_poses(tf, options_.frames, line.frame, line.beams);
     if (LinePoses* poses = std::get_if<LinePoses>(&found)) {
-      ReadyLine ready{std::move(line.beams), *poses};
+      ReadyLine ready{std::move(line.beams), *poses, std::move(line.frame)};
       newest_ = done_ = ready.beams.stamp;
       waiting_.pop_front();
       return ready;

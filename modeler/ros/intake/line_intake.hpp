@@ -19,8 +19,9 @@ namespace ribbon_mapper {
 
 /// A scan line with everything that the modeler needs to take it.
 struct ReadyLine {
-  LaserBeams beams;  ///< ranges, angles and times
-  LinePoses poses;   ///< of robot and laser during the line
+  LaserBeams beams;     ///< ranges, angles and times
+  LinePoses poses;      ///< of robot and laser during the line
+  std::string frame{};  ///< of the laser
 };
 
 /// A point in time on two clocks, that of the data and that on the wall. For a bag that is read

@@ -2,13 +2,18 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "modeler/ros/messages/message_conversions.hpp"
 
+#include <algorithm>
 #include <cmath>
+#include <limits>
 #include <stdexcept>
 
 namespace ribbon_mapper {
 namespace {
 
 constexpr double kMaxDuration_s = 10.0;  // of a scan
+/// Most beams that angle_max may count too many, per range. With more, ranges were rather cropped,
+/// and nobody knows on which side.
+constexpr double kMaxMissing = 1.0;
 /// ros::Time has 32 bits for seconds and throws on overflow.
 constexpr std::uint32_t kLatestStamp_s = 0xffffffffu - 60u;
 
@@ -113,22 +118,30 @@ std::optional<std::string> find_defect(const sensor_msgs::LaserScan& scan) {
   if (scan.header.frame_id.size() > kMaxFrameName) return "name of its frame is too long";
   if (scan.ranges.empty()) return "no ranges";
   const double count = static_cast<double>(scan.ranges.size());
-  // In some drivers angle_max is the angle of the last beam, in others that of the one after it.
-  const double beams =
-      (scan.angle_max - scan.angle_min) / static_cast<double>(scan.angle_increment);
-  if (!(std::abs(beams + 1.0 - count) <= 1.5)) return "number of ranges does not fit the angles";
+  const double missing = missing_beams(scan);
+  if (!(missing >= -1.5 && missing <= std::max(1.5, kMaxMissing * count))) {
+    return "number of ranges does not fit the angles";
+  }
   const double duration_s = scan.time_increment * (count - 1.0);
   if (!(duration_s >= 0.0 && duration_s < kMaxDuration_s)) return "time_increment is out of range";
   return std::nullopt;
 }
 
+double missing_beams(const sensor_msgs::LaserScan& scan) {
+  const double steps =
+      (scan.angle_max - scan.angle_min) / static_cast<double>(scan.angle_increment);
+  return steps + 1.0 - static_cast<double>(scan.ranges.size());
+}
+
 LaserBeams beams_of(const sensor_msgs::LaserScan& scan) {
+  const double range_max_m =
+      scan.range_max == 0.0F ? std::numeric_limits<double>::infinity() : scan.range_max;
   return {time_of(scan.header.stamp),
           scan.angle_min,
           scan.angle_increment,
           scan.time_increment,
           scan.range_min,
-          scan.range_max,
+          range_max_m,
           scan.ranges};
 }
 

@@ -52,7 +52,11 @@ geometry_msgs::Vector3 vector_message(const Eigen::Vector3d& vector);
 
 /// Returns what is wrong with a scan; nothing if its beams can be used.
 std::optional<std::string> find_defect(const sensor_msgs::LaserScan& scan);
-/// Returns the beams of a scan.
+/// Returns how many beams angle_max counts beyond the ranges that there are. It is 1 with drivers
+/// for which angle_max is the angle of the beam after the last one. Beams are placed by angle_min
+/// and angle_increment alone, as laser_geometry does.
+double missing_beams(const sensor_msgs::LaserScan& scan);
+/// Returns the beams of a scan. A range_max of 0 is taken as not set: there is then no limit.
 LaserBeams beams_of(const sensor_msgs::LaserScan& scan);
 
 /// Returns a trajectory as a path in `frame`, stamped `stamp`; each pose keeps its own stamp.

@@ -10,6 +10,7 @@
 #include "modeler/ros/intake/clock_guard.hpp"
 #include "modeler/ros/intake/input_watch.hpp"
 #include "modeler/ros/intake/line_intake.hpp"
+#include "modeler/ros/intake/model_doubts.hpp"
 #include "modeler/ros/intake/tf_feed.hpp"
 #include "modeler/ros/intake/time_jump.hpp"
 #include "modeler/ros/messages/message_conversions.hpp"
@@ -72,6 +73,7 @@ class ModelerNode {
   void report();
   void warn_of_drops();
   void warn_of_missing_lines();
+  void warn_of_doubts();
 
   NodeParameters parameters_;
   ros::NodeHandle node_, private_node_{"~"};
@@ -86,6 +88,8 @@ class ModelerNode {
   ros::Subscriber corrected_trajectory_, scan_;
   ros::WallTimer line_timer_, report_timer_;
   InputWatch watch_;
+  BarrenLines barren_lines_;
+  bool has_warned_of_no_return_ = false;
   bool stopped_ = false;  ///< by a time jump, until ~reset
   TurnCheck turns_;
   std::size_t reports_ = 0, reported_lines_ = 0, reported_drops_ = 0;
@@ -190,6 +194,7 @@ void ModelerNode::empty_model() {
   keeper_.reset();
   turns_.clear();
   reported_lost_ = reported_gaps_ = 0;
+  barren_lines_ = {};
   reported_lines_ = reported_drops_ = 0;
 }
 
@@ -199,6 +204,7 @@ void ModelerNode::report() {
   if (++reports_ % 5 != 0) return;  // counted, not throttled: simulated time may stand still
   warn_of_drops();
   warn_of_missing_lines();
+  warn_of_doubts();
   const std::string complaint = watch_.complaint(intake_, tf_);
   if (!complaint.empty()) {
     ROS_WARN("%s", complaint.c_str());
@@ -233,6 +239,15 @@ void ModelerNode::warn_of_missing_lines() {
         "No lines for %.1f s in %zu gaps so far, by their stamps: the laser was silent, or "
         "lines were lost.",
         log.silent_s(), gaps);
+  }
+}
+
+void ModelerNode::warn_of_doubts() {
+  const std::string complaint = barren_lines_.complaint(keeper_.log());
+  if (!complaint.empty()) ROS_WARN("%s", complaint.c_str());
+  const auto no_return = keeper_.modeler().statistics().no_return;
+  if (no_return && !std::exchange(has_warned_of_no_return_, true)) {
+    ROS_WARN("%s.", no_return_text(*no_return).c_str());
   }
 }
 

@@ -14,6 +14,7 @@
 #include "modeler/program/installed_files.hpp"
 #include "modeler/ros/bag_check/number_text.hpp"
 #include "modeler/ros/bag_check/tf_survey.hpp"
+#include "modeler/ros/intake/model_doubts.hpp"
 #include "modeler/ros/node/model_keeper.hpp"
 #include "modeler/ros/node/turn_check.hpp"
 #include "modeler/storage/file_set.hpp"
@@ -57,11 +58,11 @@ void take_lines(const OfflineOptions& options, ModelKeeper& keeper, TurnCheck& t
   add_missing_lines(keeper.log(), summary);
 }
 
-void require_lines(const ModelKeeper& keeper, const OfflineSummary& summary) {
+void require_ribbons(const ModelKeeper& keeper, const OfflineSummary& summary) {
   const LineLog& log = keeper.log();
-  if (log.lines() == 0) throw std::runtime_error("there is no scan in the bag");
-  if (!keeper.modeler().trajectory().empty()) return;
-  std::string why = "no line could be modelled of " + std::to_string(log.lines());
+  if (keeper.modeler().statistics().ribbons > 0) return;
+  std::string why =
+      "no line could be modelled of " + std::to_string(log.lines()) + ": " + why_no_ribbons(log);
   for (const auto& [reason, count] : log.dropped_by_reason()) {
     why += "\n  " + std::to_string(count) + " x " + reason;
   }
@@ -105,7 +106,7 @@ std::vector<Plane> with_outlines(std::vector<Plane> planes, double bridged_gap_m
   return planes;
 }
 
-void describe(const ModelKeeper& keeper, const SurfaceConfig& config, OfflineRun& run) {
+void describe(const ModelKeeper& keeper, const ModelerConfig& config, OfflineRun& run) {
   OfflineSummary& s = run.summary;
   s.lines = keeper.log().lines();
   s.dropped_lines = keeper.log().dropped_by_reason();
@@ -114,10 +115,15 @@ void describe(const ModelKeeper& keeper, const SurfaceConfig& config, OfflineRun
   s.planes_before = run.planes_before.size();
   s.planes = run.planes_after.size();
   DuplicateRule rule;
-  rule.touching_m = config.stripe_gap_m;
+  rule.touching_m = config.surface.stripe_gap_m;
   s.duplicates = duplicates_of_larger(run.planes_after, rule).size();
   s.points = point_count(run.planes_after);
   s.residual_m_median = median_residual_m(run.planes_after);
+  const ModelStatistics statistics = keeper.modeler().statistics();
+  if (statistics.no_return) s.notes.push_back(no_return_text(*statistics.no_return));
+  if (run.planes_after.empty()) {
+    s.notes.push_back("no plane: " + why_no_planes(keeper.log(), statistics, config.assembly));
+  }
 }
 
 }  // namespace
@@ -130,7 +136,7 @@ OfflineRun model_bags(const OfflineOptions& options, const ProgressCallback& pro
   run.summary.config = portable_name(find_installed_file(options.config)).string();
   TurnCheck turns;
   take_lines(options, keeper, turns, run.summary, progress);
-  require_lines(keeper, run.summary);
+  require_ribbons(keeper, run.summary);
 
   run.planes_before =
       with_outlines(keeper.modeler().planes_as_built(), config.surface.bridged_gap_m);
@@ -141,7 +147,7 @@ OfflineRun model_bags(const OfflineOptions& options, const ProgressCallback& pro
   run.stripe_gap_m = config.surface.stripe_gap_m;
   run.frame = options.bag.intake.frames.map;
   run.trajectory = keeper.modeler().trajectory();
-  describe(keeper, config.surface, run);
+  describe(keeper, config, run);
   return run;
 }
 

@@ -17,7 +17,7 @@ struct OfflineSummary {
   std::string scan_topic;         ///< of the laser
   std::string trajectory;         ///< where the poses of the final model are from
 
-  std::vector<std::string> notes;  ///< what was chosen, and what is wrong with the transforms
+  std::vector<std::string> notes;  ///< what was chosen and what is doubtful, a sentence each
 
   std::size_t lines = 0;                             ///< scans received
   std::map<std::string, std::size_t> dropped_lines;  ///< by reason

@@ -18,14 +18,14 @@ Pose T_base_laser(double tilt_rad) {
          Eigen::AngleAxisd(tilt_rad, Eigen::Vector3d::UnitY());
 }
 
-/// Returns line number `index` of a wall at x = 2 m.
-LaserBeams wall_line(int index, double tilt_rad, std::mt19937& random) {
+/// Returns line number `index` of a wall at x = 2 m, with one beam more than `steps`.
+LaserBeams wall_line(int index, double tilt_rad, std::mt19937& random, int steps = 200) {
   std::normal_distribution<double> noise(0.0, kNoise_m);
   LaserBeams beams;
   beams.stamp = std::chrono::milliseconds(1000 + 100 * index);
-  beams.angle_min_rad = -0.6, beams.angle_increment_rad = 0.006;
+  beams.angle_min_rad = -0.6, beams.angle_increment_rad = 1.2 / steps;
   beams.range_min_m = 0.1, beams.range_max_m = 10.0;
-  for (int i = 0; i <= 200; ++i) {
+  for (int i = 0; i <= steps; ++i) {
     const double angle = beams.angle_min_rad + i * beams.angle_increment_rad;
     beams.ranges_m.push_back(
         static_cast<float>(kWall_m / (std::cos(tilt_rad) * std::cos(angle)) + noise(random)));
@@ -101,15 +101,46 @@ TEST(DenseLines, OfAWallMakeOnePlane) {
   EXPECT_GT(planes[0].area_m2, 3.0);
 }
 
+/// The same laser with another number of beams in each line.
+TEST(DenseLines, OfAnotherLengthEachAreAveraged) {
+  std::mt19937 random(1);
+  Modeler modeler(config());
+  for (int i = 0; i < 600; ++i) {
+    const double tilt = -0.3 + 0.07 * M_PI / 180.0 * i;
+    modeler.add_scan_line(wall_line(i, tilt, random, 190 + i % 20), poses_at(tilt));
+  }
+  modeler.correct(modeler.trajectory());
+  const std::vector<Plane> planes = modeler.planes();
+  ASSERT_EQ(planes.size(), 1u);
+  EXPECT_GT(-planes[0].normal.x(), std::cos(0.01));
+  EXPECT_NEAR(planes[0].d_m, kWall_m, 0.005);
+  EXPECT_GT(planes[0].area_m2, 3.0);
+}
+
+TEST(LineAverager, InterpolatesBeamsOfAnotherBearing) {
+  std::mt19937 random(1);
+  LineAverager averager(config().scan);
+  for (int i = 0; i < 9; ++i) averager.add(wall_line(i, 0.1, random, 200 + i), poses_at(0.1));
+  EXPECT_EQ(averager.lines(), 9u);
+  double square = 0.0;
+  const LaserBeams& mean = averager.average_beams();
+  for (std::size_t i = 0; i < mean.ranges_m.size(); ++i) {
+    const double angle = mean.angle_min_rad + static_cast<double>(i) * mean.angle_increment_rad;
+    const double error = mean.ranges_m[i] - kWall_m / (std::cos(0.1) * std::cos(angle));
+    square += error * error / static_cast<double>(mean.ranges_m.size());
+  }
+  EXPECT_LT(std::sqrt(square), kNoise_m / 3.0 * 1.1);
+}
+
 TEST(DenseLines, AtAConstantTiltAddNothing) {
   std::mt19937 random(1);
   Modeler modeler(config());
-  std::size_t modelled = 0;
+  std::size_t added = 0;
   for (int i = 0; i < 500; ++i) {
-    modelled +=
-        modeler.add_scan_line(wall_line(i, 0.1, random), poses_at(0.1)) == LineResult::modelled;
+    added +=
+        modeler.add_scan_line(wall_line(i, 0.1, random), poses_at(0.1)) != LineResult::too_close;
   }
-  EXPECT_LE(modelled, 1u);
+  EXPECT_LE(added, 1u);
   EXPECT_EQ(modeler.statistics().ribbons, 0u);
 }
 

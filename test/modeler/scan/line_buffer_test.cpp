@@ -77,18 +77,26 @@ TEST(LineBuffer, IgnoresALineThatIsNotPushed) {
   EXPECT_EQ(3, seconds_of(lines->next));
 }
 
-TEST(LineBuffer, StartsAgainWithLinesOfAnotherLength) {
+TEST(LineBuffer, PairsLinesOfAnotherLength) {
   LineBuffer buffer(0.0);
   for (int second = 1; second <= 3; ++second) push(buffer, second);
-  push(buffer, 4, 91);
-  EXPECT_FALSE(buffer.next_three_lines());
-  push(buffer, 5, 91);
-  EXPECT_FALSE(buffer.next_three_lines());
-  push(buffer, 6, 91);
   EXPECT_TRUE(buffer.next_three_lines());
+  push(buffer, 4, 91);
+  const auto lines = buffer.next_three_lines();
+  ASSERT_TRUE(lines);
+  EXPECT_EQ(91u, lines->next.size());
   buffer.clear();
   EXPECT_FALSE(buffer.next_three_lines());
   EXPECT_EQ(nullptr, buffer.newest_line());
+}
+
+TEST(LineBuffer, StartsAgainWithLinesThatTurnTheOtherWay) {
+  LineBuffer buffer(0.0);
+  for (int second = 1; second <= 2; ++second) push(buffer, second);
+  buffer.incoming() = line_at(Pose::Identity(), 3 * kTiltStep_rad);
+  buffer.incoming().angle_increment_rad *= -1.0;
+  buffer.push();
+  EXPECT_FALSE(buffer.next_three_lines());
 }
 
 TEST(BaseLine, OfATiltIsRangeTimesStepAtTheMedianBeam) {
@@ -118,7 +126,22 @@ TEST(BaseLine, IsZeroForAMotionAlongTheLine) {
 TEST(BaseLine, WithoutCommonReturns) {
   const ScanLine line = line_at(Pose::Identity(), 0.0);
   EXPECT_EQ(0.0, base_line_m(line, line_at(Pose::Identity(), 0.1, -1.0)));
-  EXPECT_TRUE(std::isinf(base_line_m(line, line_at(Pose::Identity(), 0.0, 4.0, 91))));
+  ScanLine behind = line;
+  behind.first_angle_rad += M_PI + 0.1;
+  EXPECT_TRUE(std::isinf(base_line_m(line, behind)));
+  ScanLine reversed = line;
+  reversed.angle_increment_rad *= -1.0;
+  EXPECT_TRUE(std::isinf(base_line_m(line, reversed)));
+}
+
+TEST(BaseLine, MatchesBeamsByTheirBearing) {
+  const ScanLine before = line_at(Pose::Identity(), 0.0);
+  const double expected = base_line_m(before, line_at(Pose::Identity(), 0.01));
+  for (const std::size_t count : {91u, 150u, 178u, 200u, 361u}) {
+    EXPECT_NEAR(expected, base_line_m(before, line_at(Pose::Identity(), 0.01, 4.0, count)),
+                0.1 * expected)
+        << count << " beams";
+  }
 }
 
 TEST(BaseLine, UsesTheWholeLine) {

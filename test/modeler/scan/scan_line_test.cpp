@@ -135,6 +135,22 @@ TEST(PlaceBeams, AppliesTheLimitsOfTheScan) {
   EXPECT_FALSE(line.has_return(3));
 }
 
+TEST(PlaceBeams, AppliesTheLimitsOfThePreset) {
+  LaserBeams beams = beams_with({1.0F, 2.0F, 4.0F, 5.0F});
+  beams.range_min_m = 0.1;
+  beams.range_max_m = 60.0;
+  ScanConfig config;
+  config.body_half_size_m = 0.0;
+  config.min_range_m = 1.5;
+  config.max_range_m = 4.5;
+  ScanLine line;
+  place_beams(beams, moving_poses(), config, line);
+  EXPECT_FALSE(line.has_return(0)) << "nearer than scan.min_range_m";
+  EXPECT_TRUE(line.has_return(1));
+  EXPECT_TRUE(line.has_return(2));
+  EXPECT_FALSE(line.has_return(3)) << "further than scan.max_range_m";
+}
+
 TEST(PlaceBeams, AcceptsLinesOfNoneAndOneBeam) {
   EXPECT_EQ(0u, placed(beams_with({}), moving_poses()).size());
   const ScanLine line = placed(beams_with({3.0F}), moving_poses());

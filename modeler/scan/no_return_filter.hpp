@@ -1,0 +1,62 @@
+// SPDX-FileCopyrightText: 2026 ribbon_mapper authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <vector>
+
+#include "modeler/scan/laser_beams.hpp"
+#include "modeler/scan/scan_config.hpp"
+
+namespace ribbon_mapper {
+
+/// A range by which a driver says that there was no return.
+struct NoReturnRange {
+  float range_m = 0.0F;   ///< the range, to the bit
+  std::size_t beams = 0;  ///< beams that had it
+  double share = 0.0;     ///< of all beams so far
+};
+
+/// Finds the ranges by which a driver reports "no return" as if it were a distance, and removes
+/// them: they would make surfaces on a sphere.
+///
+/// The ranges of a surface spread about their nearest one. A plane seen without noise at a
+/// resolution q has sqrt(w / q) - 1 times as many ranges within w beyond its nearest range as at
+/// it: 2.2 times for 10 cm and 10 mm, and more for noise or a finer resolution. A range is no
+/// distance if neighbouring beams have it to the bit in several lines, and less than half as many
+/// beams lie within 10 cm of it. At range_max a single line suffices.
+class NoReturnFilter {
+ public:
+  /// Creates a filter that has seen no line.
+  explicit NoReturnFilter(const ScanConfig& config) : config_(config) {}
+
+  /// Takes note of a line and returns it: `beams` itself, or a copy in which ranges that stand for
+  /// no return are infinite. Valid until the next call.
+  const LaserBeams& filter(const LaserBeams& beams);
+
+  /// Returns the most frequent range that stands for no return; nothing if none was found.
+  std::optional<NoReturnRange> found() const;
+
+ private:
+  /// What is known about a range that neighbouring beams of a line had to the bit.
+  struct Candidate {
+    float range_m;
+    std::size_t lines, equal, near;  // beams: `equal`; `near` are within 10 cm but not equal
+    std::size_t beyond;              // returns further away
+    std::size_t removed;             // beams
+    bool is_no_return;
+  };
+
+  std::optional<float> repeated_range(const LaserBeams& beams) const;
+  void weigh(float range_m, const LaserBeams& beams);
+  Candidate& candidate(float range_m);
+  void remove(Candidate& no_return, const LaserBeams& beams);
+
+  ScanConfig config_;
+  std::vector<Candidate> candidates_;  // few; the least frequent one makes room for another
+  std::size_t beams_ = 0;
+  LaserBeams filtered_;
+};
+
+}  // namespace ribbon_mapper
