@@ -13,6 +13,7 @@
 #include "modeler/ros/bag_check/bag_check_options.hpp"
 #include "modeler/ros/bag_check/preset_proposal.hpp"
 #include "modeler/ros/bag_check/time_offset.hpp"
+#include "modeler/storage/atomic_file.hpp"
 
 int main(int argc, char** argv) {
   using namespace ribbon_mapper;

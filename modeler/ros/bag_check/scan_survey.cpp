@@ -42,10 +42,10 @@ void ScanSurvey::add(const sensor_msgs::LaserScan& scan, const ros::Time& record
   if (scan.header.stamp.isZero()) {
     ++without_stamp_;
   } else {
-    const double period_s = scan.header.stamp.toSec() - newest_.toSec();
-    if (!newest_.isZero() && period_s <= 0.0) ++backwards_;
-    if (!newest_.isZero() && period_s > 0.0) periods_s_.push_back(period_s);
-    newest_ = std::max(newest_, scan.header.stamp);
+    const double period_s = scan.header.stamp.toSec() - last_stamp_.toSec();
+    if (!last_stamp_.isZero() && period_s <= 0.0) ++backwards_;
+    if (!last_stamp_.isZero() && period_s > 0.0) periods_s_.push_back(period_s);
+    last_stamp_ = scan.header.stamp;
     delays_s_.push_back(recorded.toSec() - scan.header.stamp.toSec());
   }
   if (const auto defect = find_defect(scan)) {

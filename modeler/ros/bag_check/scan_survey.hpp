@@ -61,7 +61,7 @@ class ScanSurvey {
   LaserBeams last_;
   double scan_time_s_ = 0.0;
   double first_angle_rad_ = 0.0, last_angle_rad_ = 0.0, beam_step_rad_ = 0.0;
-  ros::Time newest_;
+  ros::Time last_stamp_;
   std::vector<double> periods_s_, delays_s_;
   NoReturnFilter no_returns_;
   std::size_t ranges_ = 0, nan_ = 0, infinite_ = 0, zero_ = 0, out_of_range_ = 0;
