@@ -25,7 +25,9 @@ struct NoReturnRange {
 /// resolution q has sqrt(w / q) - 1 times as many ranges within w beyond its nearest range as at
 /// it: 2.2 times for 10 cm and 10 mm, and more for noise or a finer resolution. A range is no
 /// distance if neighbouring beams have it to the bit in several lines, and less than half as many
-/// beams lie within 10 cm of it. At range_max a single line suffices.
+/// beams lie within 10 cm of it. It must also lie beyond nearly all other ranges, or belong to 1 %
+/// of all beams: a thin object before a laser of coarse resolution does not. At range_max a single
+/// line suffices.
 class NoReturnFilter {
  public:
   /// Creates a filter that has seen no line.

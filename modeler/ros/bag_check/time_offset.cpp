@@ -25,6 +25,9 @@ constexpr double kClearlyThinner = 0.97;
 constexpr double kClearlyFewer = 0.85;
 /// Minima further apart than this are different answers.
 constexpr double kApart_s = 0.1;
+constexpr double kFarApart_s = 0.3;
+/// More answers than this are none: the laser turns step by step.
+constexpr std::size_t kMaxAnswers = 3;
 /// A second minimum is as good as the best one if it lacks less than this part of the depth.
 constexpr double kAsGood = 0.2;
 
@@ -73,13 +76,19 @@ std::vector<double> fitting_offsets_s(const SearchCurve& curve) {
   return fitting_s;
 }
 
-/// Returns the only offset that fits. Of several, only one that is near 0 can be meant.
+/// Returns the only offset that fits. Of a few, only one that is near 0 and far from the others can
+/// be meant. There are many where the laser turns step by step.
 std::optional<double> choice_of(const std::vector<double>& fitting_s) {
+  const auto is_meant = [&](double offset_s) {
+    return std::abs(offset_s) < kApart_s &&
+           std::all_of(fitting_s.begin(), fitting_s.end(), [&](double other_s) {
+             return other_s == offset_s || std::abs(other_s - offset_s) > kFarApart_s;
+           });
+  };
   if (fitting_s.size() == 1) return fitting_s.front();
-  for (const double offset_s : fitting_s) {
-    if (std::abs(offset_s) < kApart_s) return offset_s;
-  }
-  return std::nullopt;
+  const auto meant = std::find_if(fitting_s.begin(), fitting_s.end(), is_meant);
+  if (meant == fitting_s.end()) return std::nullopt;
+  return *meant;
 }
 
 /// Returns the offset near `about_s` that makes the thinnest planes.
@@ -183,7 +192,7 @@ void report_time_offset(const std::vector<std::filesystem::path>& bags, const Ba
   const Answer answer = ask(bags, options, load_config(preset));
   const double given_s = options.intake.scan_time_offset_s;
   if (answer.offset) return report_offset(*answer.offset, given_s, report);
-  if (answer.fitting_s.size() < 2) {
+  if (answer.fitting_s.size() < 2 || answer.fitting_s.size() > kMaxAnswers) {
     report.fact(
         "the motion does not show whether the laser's stamps are off: up and down sweeps of the "
         "tilt "
