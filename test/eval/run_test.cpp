@@ -50,7 +50,7 @@ TEST(Run, FindsADoorAjarBesideItsWall) {
     run.drift = 0.0;
     const Results results = make_run(run, [](const Progress&) {});
     std::vector<double> areas_m2;
-    for (const Plane& plane : results.models.corrected_final) {
+    for (const Plane& plane : results.models.corrected) {
       if (plane.normal.y() < -0.9 && plane.d_m < 2.5) areas_m2.push_back(plane.area_m2);
     }
     std::sort(areas_m2.begin(), areas_m2.end());
