@@ -34,6 +34,7 @@ void visit_ribbon(Section& section, Visitor& visit) {
   visit("ribbon.min_cluster_area_m2", section.min_cluster_area_m2, 0.0, 10.0);
   visit("ribbon.distance_gap_m", section.distance_gap_m, 1e-3, 10.0);
   visit("ribbon.outlier_sigmas", section.outlier_sigmas, 1.0, 10.0);
+  visit("ribbon.min_bend_deg", section.min_bend_deg, 0.5, 90.0);
   visit("ribbon.edge_sigmas", section.edge_sigmas, 1.0, 100.0);
   visit("ribbon.edge_slack_m", section.edge_slack_m, 0.0, 1.0);
   visit("ribbon.min_grazing_angle_deg", section.min_grazing_angle_deg, 0.0, 90.0);

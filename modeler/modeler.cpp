@@ -118,8 +118,8 @@ void Modeler::reset() { state_ = std::make_unique<State>(state_->config); }
 
 std::vector<Plane> Modeler::planes_as_built() const {
   const State& s = *state_;
-  return assembled_as_built(s.plane_map.hypotheses(), s.observations.posed(), s.config.surface,
-                            s.config.assembly);
+  return assembled_as_built(s.plane_map.hypotheses(), s.plane_map.gates(), s.observations.posed(),
+                            s.config.surface, s.config.assembly);
 }
 
 std::vector<Plane> Modeler::planes() const {

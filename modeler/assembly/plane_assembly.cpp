@@ -58,11 +58,12 @@ void move(Plane& plane, const Pose& T_map_model) {
 }
 
 /// Returns the surfaces without spurious planes.
-std::vector<Surface> without_spurious_planes(std::vector<Surface> surfaces, double bridged_gap_m,
+std::vector<Surface> without_spurious_planes(std::vector<Surface> surfaces,
+                                             const AssociationGates& gates, double bridged_gap_m,
                                              const AssemblyConfig& config) {
   std::vector<const Plane*> planes;
   for (const Surface& surface : surfaces) planes.push_back(&surface.plane());
-  const std::vector<bool> spurious = are_spurious(planes, bridged_gap_m, config);
+  const std::vector<bool> spurious = are_spurious(planes, gates, bridged_gap_m, config);
   std::vector<Surface> kept;
   for (std::size_t i = 0; i < surfaces.size(); ++i) {
     if (!spurious[i]) kept.push_back(std::move(surfaces[i]));
@@ -71,15 +72,15 @@ std::vector<Surface> without_spurious_planes(std::vector<Surface> surfaces, doub
 }
 
 /// Returns the planes in map, ordered by id, without those that are too small, curved or spurious.
-std::vector<Plane> finished(std::vector<Surface> surfaces, double min_area_m2,
-                            const PosedObservations& observations, double bridged_gap_m,
-                            const AssemblyConfig& config) {
+std::vector<Plane> finished(std::vector<Surface> surfaces, const AssociationGates& gates,
+                            double min_area_m2, const PosedObservations& observations,
+                            double bridged_gap_m, const AssemblyConfig& config) {
   std::vector<Plane> planes;
   for (Surface& surface : surfaces) {
     if (surface.plane().area_m2 < min_area_m2 || is_curved(surface.plane(), config)) continue;
     planes.push_back(surface.take_plane());
   }
-  planes = without_spurious_planes(std::move(planes), bridged_gap_m, config);
+  planes = without_spurious_planes(std::move(planes), gates, bridged_gap_m, config);
   for (Plane& plane : planes) move(plane, observations.T_map_model());
   std::sort(planes.begin(), planes.end(),
             [](const Plane& a, const Plane& b) { return a.id < b.id; });
@@ -146,6 +147,7 @@ class Assembly {
 }  // namespace
 
 std::vector<Plane> assembled_as_built(const std::vector<Hypothesis>& hypotheses,
+                                      const AssociationGates& gates,
                                       const PosedObservations& observations,
                                       const SurfaceConfig& surface_config,
                                       const AssemblyConfig& config) {
@@ -156,8 +158,8 @@ std::vector<Plane> assembled_as_built(const std::vector<Hypothesis>& hypotheses,
     if (!is_promising(min_area_m2, hypothesis, observations, cell_size_m, config)) continue;
     surfaces.emplace_back(hypothesis, observations, cell_size_m);
   }
-  return finished(std::move(surfaces), min_area_m2, observations, surface_config.bridged_gap_m,
-                  config);
+  return finished(std::move(surfaces), gates, min_area_m2, observations,
+                  surface_config.bridged_gap_m, config);
 }
 
 std::vector<Plane> assembled_planes(const std::vector<Hypothesis>& hypotheses,
@@ -168,7 +170,8 @@ std::vector<Plane> assembled_planes(const std::vector<Hypothesis>& hypotheses,
   const double bridged_gap_m = surface_config.bridged_gap_m;
   Assembly assembly(gates, observations, surface_config, config);
   for (const Hypothesis& hypothesis : hypotheses) assembly.add(hypothesis);
-  std::vector<Surface> surfaces = without_spurious_planes(assembly.take(), bridged_gap_m, config);
+  std::vector<Surface> surfaces =
+      without_spurious_planes(assembly.take(), gates, bridged_gap_m, config);
   assign_points(observations, config, surfaces);
   surfaces.erase(std::remove_if(surfaces.begin(), surfaces.end(),
                                 [&](const Surface& surface) {
@@ -176,7 +179,7 @@ std::vector<Plane> assembled_planes(const std::vector<Hypothesis>& hypotheses,
                                 }),
                  surfaces.end());
   std::vector<Plane> planes =
-      finished(std::move(surfaces), config.min_area_m2, observations, bridged_gap_m, config);
+      finished(std::move(surfaces), gates, config.min_area_m2, observations, bridged_gap_m, config);
   for (Plane& plane : planes) plane.outline = outline_of(plane, bridged_gap_m);
   return planes;
 }

@@ -13,9 +13,11 @@
 
 namespace ribbon_mapper {
 
-/// Returns the planes of the hypotheses as they were aggregated on the way: those with enough
-/// ribbons and seen area. They are in map, ordered by id, with cells and without outlines.
+/// Returns the planes of the hypotheses as they were aggregated on the way, within `gates`: those
+/// with enough ribbons and seen area. They are in map, ordered by id, with cells and without
+/// outlines.
 std::vector<Plane> assembled_as_built(const std::vector<Hypothesis>& hypotheses,
+                                      const AssociationGates& gates,
                                       const PosedObservations& observations,
                                       const SurfaceConfig& surface_config,
                                       const AssemblyConfig& config);

@@ -79,8 +79,10 @@ class MeasuredCells {
 class SupportingPlane {
  public:
   /// Refers to the plane of the cells, which must outlive it.
-  SupportingPlane(const MeasuredCells& measured, double bridged_gap_m, const AssemblyConfig& config)
+  SupportingPlane(const MeasuredCells& measured, const AssociationGates& gates,
+                  double bridged_gap_m, const AssemblyConfig& config)
       : plane_(&measured.plane()),
+        cell_gate_m_(std::min(config.on_plane_m, 0.5 * gates.distance_m)),
         bridged_gap_m_(bridged_gap_m),
         config_(&config),
         box_(measured.box()) {
@@ -97,7 +99,8 @@ class SupportingPlane {
     const double cosine = plane_->normal.dot(other.plane().normal);
     if (cosine <= 0.0) return;  // the sides of a thin wall are different planes
     const bool is_nearly_parallel = cosine > kMinCosineOfParallel;
-    other.for_each_near(*plane_, config_->on_plane_m, [&](std::size_t i, const auto& point) {
+    const double reach_m = is_nearly_parallel ? cell_gate_m_ : config_->on_plane_m;
+    other.for_each_near(*plane_, reach_m, [&](std::size_t i, const auto& point) {
       if (supported[i]) return;
       const Footprint& around = is_nearly_parallel ? footprint(beyond_gap_, 0.5 * bridged_gap_m_)
                                                    : footprint(beside_, config_->beside_plane_m);
@@ -115,6 +118,7 @@ class SupportingPlane {
   }
 
   const Plane* plane_;
+  double cell_gate_m_;
   double bridged_gap_m_;
   const AssemblyConfig* config_;
   Eigen::AlignedBox3d box_;
@@ -134,7 +138,8 @@ bool is_spurious(const MeasuredCells& measured, std::vector<SupportingPlane>& la
 
 }  // namespace
 
-std::vector<bool> are_spurious(const std::vector<const Plane*>& planes, double bridged_gap_m,
+std::vector<bool> are_spurious(const std::vector<const Plane*>& planes,
+                               const AssociationGates& gates, double bridged_gap_m,
                                const AssemblyConfig& config) {
   std::vector<std::size_t> order(planes.size());
   std::iota(order.begin(), order.end(), std::size_t{0});
@@ -146,18 +151,18 @@ std::vector<bool> are_spurious(const std::vector<const Plane*>& planes, double b
   for (const std::size_t i : order) {
     const MeasuredCells measured(*planes[i]);
     spurious[i] = is_spurious(measured, larger);
-    if (!spurious[i]) larger.emplace_back(measured, bridged_gap_m, config);
+    if (!spurious[i]) larger.emplace_back(measured, gates, bridged_gap_m, config);
   }
   return spurious;
 }
 
-std::vector<Plane> without_spurious_planes(std::vector<Plane> planes, double bridged_gap_m,
-                                           const AssemblyConfig& config) {
+std::vector<Plane> without_spurious_planes(std::vector<Plane> planes, const AssociationGates& gates,
+                                           double bridged_gap_m, const AssemblyConfig& config) {
   std::stable_sort(planes.begin(), planes.end(),
                    [](const Plane& a, const Plane& b) { return a.area_m2 > b.area_m2; });
   std::vector<const Plane*> pointers;
   for (const Plane& plane : planes) pointers.push_back(&plane);
-  const std::vector<bool> spurious = are_spurious(pointers, bridged_gap_m, config);
+  const std::vector<bool> spurious = are_spurious(pointers, gates, bridged_gap_m, config);
   std::vector<Plane> kept;
   for (std::size_t i = 0; i < planes.size(); ++i) {
     if (!spurious[i]) kept.push_back(std::move(planes[i]));

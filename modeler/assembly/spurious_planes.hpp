@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "modeler/assembly/assembly_config.hpp"
+#include "modeler/association/association_config.hpp"
 #include "modeler/surface/plane.hpp"
 
 namespace ribbon_mapper {
@@ -13,12 +14,14 @@ namespace ribbon_mapper {
 ///
 /// There are two kinds. Along a concave edge, lines that straddle it accumulate to a plane across
 /// the corner. And where few ribbons see the end of a wall, some poor normals make a second plane
-/// of almost the same direction, possibly beyond a gap.
-std::vector<bool> are_spurious(const std::vector<const Plane*>& planes, double bridged_gap_m,
+/// of almost the same direction, possibly beyond a gap. Its cells lie on the wall within half the
+/// gate of distance, as those of a real plane do on theirs: a door that stands ajar is none.
+std::vector<bool> are_spurious(const std::vector<const Plane*>& planes,
+                               const AssociationGates& gates, double bridged_gap_m,
                                const AssemblyConfig& config);
 
 /// Returns the planes that are not spurious, the largest first.
-std::vector<Plane> without_spurious_planes(std::vector<Plane> planes, double bridged_gap_m,
-                                           const AssemblyConfig& config);
+std::vector<Plane> without_spurious_planes(std::vector<Plane> planes, const AssociationGates& gates,
+                                           double bridged_gap_m, const AssemblyConfig& config);
 
 }  // namespace ribbon_mapper

@@ -31,6 +31,10 @@ struct RibbonConfig {
   /// error across the plane.
   double outlier_sigmas = 2.5;
 
+  /// Smallest angle at which a line of returns is divided into two ribbons [deg]: that of the gate
+  /// AssociationConfig::corrected, as less is one plane to it.
+  double min_bend_deg = 2.0;
+
   /// Largest offset of a ribbon's middle line from the plane of all three lines, in standard errors
   /// beyond edge_slack_m. With more, the lines straddle an edge.
   double edge_sigmas = 4.0;

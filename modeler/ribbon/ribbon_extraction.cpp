@@ -4,9 +4,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 
 #include "modeler/geometry/angles.hpp"
 #include "modeler/geometry/square.hpp"
+#include "modeler/ribbon/bend.hpp"
 
 namespace ribbon_mapper {
 namespace {
@@ -51,7 +53,7 @@ const LineObservations& RibbonExtraction::extract(const ThreeLines& lines) {
   result_.ribbons.clear();
   samples_.clear();
   is_taken_.assign(line.size(), 0);
-  for (const Run& run : runs_) add_ribbon(lines, run.beams);
+  for (const Run& run : runs_) add_ribbon(lines, run);
   link_samples();
   find_left_over(line);
   pack_left_over(line);
@@ -63,14 +65,14 @@ void RibbonExtraction::find_runs(const ScanLine& line) {
   runs_.clear();
   const std::vector<int>& cluster = clusters_.of_surfels();
   for (std::size_t i = 0; i < surfels_.size();) {
-    Run run{{surfels_[i].beam, surfels_[i].beam + 1U}, surfels_[i].area_m2};
+    const std::size_t beam = surfels_[i].beam;
+    const BeamRange segment{line.first_of_segment[beam], line.end_of_segment[beam]};
     std::size_t next = i + 1;
-    for (; next < surfels_.size() && cluster[next] == cluster[i]; ++next) {
-      if (surfels_[next].beam >= line.end_of_segment[run.beams.begin]) break;
-      run.beams.end = surfels_[next].beam + 1U;
-      run.area_m2 += surfels_[next].area_m2;
+    while (next < surfels_.size() && cluster[next] == cluster[i] &&
+           surfels_[next].beam < segment.end) {
+      ++next;
     }
-    if (cluster[i] != SurfelClusters::kNone) runs_.push_back(run);
+    if (cluster[i] != SurfelClusters::kNone) add_run(line, i, next, segment);
     i = next;
   }
   std::sort(runs_.begin(), runs_.end(), [](const Run& a, const Run& b) {
@@ -78,11 +80,31 @@ void RibbonExtraction::find_runs(const ScanLine& line) {
   });
 }
 
+/// Adds the run of these surfels, or those of its pieces if it bends.
+void RibbonExtraction::add_run(const ScanLine& line, std::size_t first_surfel,
+                               std::size_t end_of_surfels, const BeamRange& room) {
+  const auto surfel = surfels_.begin();
+  const auto first = surfel + static_cast<std::ptrdiff_t>(first_surfel);
+  const auto end = surfel + static_cast<std::ptrdiff_t>(end_of_surfels);
+  if (first == end) return;
+  const BeamRange beams{first->beam, std::prev(end)->beam + 1U};
+  if (const auto bend = find_bend(line, beams, config_)) {
+    const auto at = std::find_if(first, end, [&](const Surfel& s) { return s.beam >= *bend; });
+    const auto middle = static_cast<std::size_t>(at - surfel);
+    add_run(line, first_surfel, middle, {room.begin, *bend});
+    add_run(line, middle, end_of_surfels, {*bend, room.end});
+    return;
+  }
+  double area_m2 = 0.0;
+  for (auto s = first; s != end; ++s) area_m2 += s->area_m2;
+  runs_.push_back({beams, room, area_m2});
+}
+
 /// Adds the ribbon that the run belongs to, if it is one.
-void RibbonExtraction::add_ribbon(const ThreeLines& lines, const BeamRange& run) {
-  const std::optional<FittedBeams> fitted = fit(lines, run);
+void RibbonExtraction::add_ribbon(const ThreeLines& lines, const Run& run) {
+  const std::optional<FittedBeams> fitted = fit(lines, run.beams);
   if (!fitted) return;
-  const BeamRange beams = grow(lines.middle, fitted->beams, fitted->plane);
+  const BeamRange beams = grow(lines.middle, fitted->beams, run.room, fitted->plane);
   if (!is_large_enough(lines.middle, beams, fitted->plane)) return;
   result_.ribbons.push_back(describe(lines, beams, *fitted));
   std::fill(is_taken_.begin() + static_cast<std::ptrdiff_t>(beams.begin),
@@ -138,15 +160,13 @@ bool RibbonExtraction::lies_on(const PlaneFit& plane, const ScanLine& line,
 
 /// Extends the beams on both sides while the returns lie on the plane, then drops beams at the ends
 /// that do not.
-BeamRange RibbonExtraction::grow(const ScanLine& line, BeamRange beams,
+BeamRange RibbonExtraction::grow(const ScanLine& line, BeamRange beams, const BeamRange& room,
                                  const PlaneFit& plane) const {
   const auto fits = [&](std::size_t beam) {
     return !is_taken_[beam] && lies_on(plane, line, beam);
   };
-  const std::size_t first = line.first_of_segment[beams.begin];
-  const std::size_t end = line.end_of_segment[beams.begin];
-  while (beams.begin > first && fits(beams.begin - 1)) --beams.begin;
-  while (beams.end < end && fits(beams.end)) ++beams.end;
+  while (beams.begin > room.begin && fits(beams.begin - 1)) --beams.begin;
+  while (beams.end < room.end && fits(beams.end)) ++beams.end;
   while (beams.begin < beams.end && !fits(beams.begin)) ++beams.begin;
   while (beams.end > beams.begin && !fits(beams.end - 1)) --beams.end;
   return beams;

@@ -25,9 +25,10 @@ class RibbonExtraction {
   const LineObservations& extract(const ThreeLines& lines);
 
  private:
-  /// Successive surfels of one cluster.
+  /// Successive surfels of one cluster, without a bend.
   struct Run {
     BeamRange beams;
+    BeamRange room;  ///< beams that the ribbon may grow into
     double area_m2;
   };
   /// Beams of three lines with the plane through their returns.
@@ -43,12 +44,15 @@ class RibbonExtraction {
   };
 
   void find_runs(const ScanLine& line);
-  void add_ribbon(const ThreeLines& lines, const BeamRange& run);
+  void add_run(const ScanLine& line, std::size_t first_surfel, std::size_t end_of_surfels,
+               const BeamRange& room);
+  void add_ribbon(const ThreeLines& lines, const Run& run);
   BeamRange widened(const ThreeLines& lines, const BeamRange& run) const;
   std::optional<FittedBeams> fit(const ThreeLines& lines, const BeamRange& run) const;
   bool straddles_an_edge(const ThreeLines& lines, const FittedBeams& fitted) const;
   bool lies_on(const PlaneFit& plane, const ScanLine& line, std::size_t beam) const;
-  BeamRange grow(const ScanLine& line, BeamRange beams, const PlaneFit& plane) const;
+  BeamRange grow(const ScanLine& line, BeamRange beams, const BeamRange& room,
+                 const PlaneFit& plane) const;
   bool is_large_enough(const ScanLine& line, const BeamRange& beams, const PlaneFit& plane) const;
   Ribbon describe(const ThreeLines& lines, const BeamRange& beams, const FittedBeams& fitted);
   RibbonSamples samples_of(const ScanLine& line, const BeamRange& beams,

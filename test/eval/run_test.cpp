@@ -4,6 +4,8 @@
 
 #include <gmock/gmock.h>
 
+#include <algorithm>
+
 #include "sim/robot/hokuyo.hpp"
 
 namespace ribbon_mapper::eval {
@@ -38,6 +40,24 @@ TEST(Run, DeskewIsThePresetsUnlessGiven) {
   EXPECT_TRUE(modeler_config(run).scan.deskew);
   run.deskew = false;
   EXPECT_FALSE(modeler_config(run).scan.deskew);
+}
+
+/// The leaf of a door that stands ajar by a few degrees is a plane beside the wall.
+TEST(Run, FindsADoorAjarBesideItsWall) {
+  for (const std::string world : {"door_5_1", "door_7_-1"}) {
+    RunOptions run;
+    run.world = "test/data/field/" + world + ".world";
+    run.drift = 0.0;
+    const Results results = make_run(run, [](const Progress&) {});
+    std::vector<double> areas_m2;
+    for (const Plane& plane : results.models.corrected) {
+      if (plane.normal.y() < -0.9 && plane.d_m < 2.5) areas_m2.push_back(plane.area_m2);
+    }
+    std::sort(areas_m2.begin(), areas_m2.end());
+    ASSERT_EQ(2U, areas_m2.size()) << world;
+    EXPECT_NEAR(1.90, areas_m2[0], 0.1) << world;
+    EXPECT_NEAR(9.45, areas_m2[1], 0.5) << world;
+  }
 }
 
 TEST(Route, RestsBeforeItStarts) {

@@ -28,8 +28,8 @@ std::vector<Plane> planes_of(const Scene& scene,
 
 /// Returns the planes as built on the way.
 std::vector<Plane> planes_as_built_of(const Scene& scene) {
-  return assembled_as_built(scene.map().hypotheses(), scene.observations(), kSurfaceConfig,
-                            kAssemblyConfig);
+  return assembled_as_built(scene.map().hypotheses(), AssociationConfig{}.corrected,
+                            scene.observations(), kSurfaceConfig, kAssemblyConfig);
 }
 
 /// Returns two patches of a floor with a gap between them.

@@ -43,14 +43,17 @@ Plane across_the_corner(double distance_m, double height_m) {
 /// Returns true if a plane with the id 7 is not spurious beside floor and wall.
 bool is_kept(const Plane& plane) {
   for (const Plane& kept :
-       without_spurious_planes({plane, kFloor, kWall}, SurfaceConfig{}.bridged_gap_m, {})) {
+       without_spurious_planes({plane, kFloor, kWall}, AssociationConfig{}.corrected,
+                               SurfaceConfig{}.bridged_gap_m, {})) {
     if (kept.id == 7) return true;
   }
   return false;
 }
 
 TEST(WithoutSpuriousPlanes, RemovesAPlaneWhosePointsLieOnLargerOnes) {
-  ASSERT_EQ(2u, without_spurious_planes({kFloor, kWall}, SurfaceConfig{}.bridged_gap_m, {}).size());
+  ASSERT_EQ(2u, without_spurious_planes({kFloor, kWall}, AssociationConfig{}.corrected,
+                                        SurfaceConfig{}.bridged_gap_m, {})
+                    .size());
   EXPECT_FALSE(is_kept(across_the_corner(0.03, 0.0)));
 }
 
