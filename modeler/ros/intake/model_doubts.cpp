@@ -69,7 +69,7 @@ std::string why_no_ribbons(const LineLog& log) {
 
 std::string why_no_planes(const LineLog& log, const ModelStatistics& statistics,
                           const AssemblyConfig& config) {
-  const std::string why = why_no_ribbons(log);
+  std::string why = why_no_ribbons(log);
   if (!why.empty()) return why;
   char text[256];
   std::snprintf(text, sizeof text,
