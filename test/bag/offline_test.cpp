@@ -206,7 +206,7 @@ TEST(Offline, AModelWithoutPlanesSaysWhy) {
   const OfflineRun found = model_bags(options, [](const Progress&) {});
   EXPECT_TRUE(found.planes_after.empty());
   EXPECT_THAT(summary_text(found.summary), HasSubstr("warning: no plane: 817 ribbons, but they"));
-  EXPECT_THAT(summary_to_json(found.summary), HasSubstr("assembly.min_area_m2 (500 m2)"));
+  EXPECT_THAT(summary_to_json(found.summary, "run"), HasSubstr("assembly.min_area_m2 (500 m2)"));
 }
 
 TEST(Offline, ABagWhoseLinesGiveNothingIsAnErrorWithTheCause) {

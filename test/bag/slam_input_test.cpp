@@ -239,7 +239,7 @@ TEST(TfHistory, KeepsThePosesAtWhichTheLocalisationSpoke) {
     transform.header.frame_id = "odom_combined", transform.child_frame_id = "base_footprint";
     transform.header.stamp = ros::Time(stamp_s);
     transform.transform.translation.x = x, transform.transform.rotation.w = 1.0;
-    EXPECT_EQ(enter_transforms(message, false, {}, tf), 0u);
+    EXPECT_EQ(enter_transforms(message, false, {}, tf).refused, 0u);
   };
   const auto at = [](double seconds) { return from_seconds(seconds); };
   drive_to(0.0, 10.0), drive_to(1.0, 11.0);

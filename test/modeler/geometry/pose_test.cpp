@@ -97,7 +97,8 @@ TEST(FindDefect, NamesWhatIsWrongWithAPose) {
   EXPECT_EQ(std::nullopt, find_defect(planar_pose(1e9, -1e9, 1.0)));
   EXPECT_EQ("lies more than 1e9 m from the origin", find_defect(planar_pose(0.0, -1.1e9, 1.0)));
   EXPECT_EQ("lies more than 1e9 m from the origin", find_defect(planar_pose(1e19, 0.0, 1.0)));
-  EXPECT_EQ("is not finite", find_defect(planar_pose(1e309, 0.0, 1.0)));
+  EXPECT_EQ("is not finite",
+            find_defect(planar_pose(std::numeric_limits<double>::infinity(), 0.0, 1.0)));
   Pose flat = Pose::Identity();
   flat.linear().setZero();
   EXPECT_EQ("is not rigid", find_defect(flat));
