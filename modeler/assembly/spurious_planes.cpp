@@ -8,6 +8,7 @@
 #include <numeric>
 #include <optional>
 
+#include "modeler/geometry/angles.hpp"
 #include "modeler/surface/footprint.hpp"
 
 namespace ribbon_mapper {
@@ -82,6 +83,7 @@ class SupportingPlane {
   SupportingPlane(const MeasuredCells& measured, const AssociationGates& gates,
                   double bridged_gap_m, const AssemblyConfig& config)
       : plane_(&measured.plane()),
+        min_cosine_(std::cos(gates.angle_deg * kDegree)),
         cell_gate_m_(std::min(config.on_plane_m, 0.5 * gates.distance_m)),
         bridged_gap_m_(bridged_gap_m),
         config_(&config),
@@ -99,7 +101,8 @@ class SupportingPlane {
     const double cosine = plane_->normal.dot(other.plane().normal);
     if (cosine <= 0.0) return;  // the sides of a thin wall are different planes
     const bool is_nearly_parallel = cosine > kMinCosineOfParallel;
-    const double reach_m = is_nearly_parallel ? cell_gate_m_ : config_->on_plane_m;
+    const bool is_tilted = is_nearly_parallel && cosine < min_cosine_;
+    const double reach_m = is_tilted ? cell_gate_m_ : config_->on_plane_m;
     other.for_each_near(*plane_, reach_m, [&](std::size_t i, const auto& point) {
       if (supported[i]) return;
       const Footprint& around = is_nearly_parallel ? footprint(beyond_gap_, 0.5 * bridged_gap_m_)
@@ -118,7 +121,8 @@ class SupportingPlane {
   }
 
   const Plane* plane_;
-  double cell_gate_m_;
+  double min_cosine_;   // of a plane that the gate of the angle takes for parallel
+  double cell_gate_m_;  // of a plane that is tilted by more
   double bridged_gap_m_;
   const AssemblyConfig* config_;
   Eigen::AlignedBox3d box_;

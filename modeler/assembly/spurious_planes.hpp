@@ -14,8 +14,9 @@ namespace ribbon_mapper {
 ///
 /// There are two kinds. Along a concave edge, lines that straddle it accumulate to a plane across
 /// the corner. And where few ribbons see the end of a wall, some poor normals make a second plane
-/// of almost the same direction, possibly beyond a gap. Its cells lie on the wall within half the
-/// gate of distance, as those of a real plane do on theirs: a door that stands ajar is none.
+/// of almost the same direction, possibly beyond a gap. If it is tilted by more than the gate of
+/// the angle, its cells lie on the wall within half the gate of the distance, as they would on a
+/// plane of their own: a door that stands ajar is not spurious.
 std::vector<bool> are_spurious(const std::vector<const Plane*>& planes,
                                const AssociationGates& gates, double bridged_gap_m,
                                const AssemblyConfig& config);

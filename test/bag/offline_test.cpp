@@ -196,35 +196,6 @@ TEST(Offline, ABagWithoutPosesSaysWhatIsMissing) {
   }
 }
 
-TEST(Offline, AModelWithoutPlanesSaysWhy) {
-  ros::Time::init();
-  const TemporaryDirectory directory;
-  OfflineOptions options;
-  options.bags = {kRoom};
-  options.config = directory.path() / "large.yaml";
-  std::ofstream(options.config) << "assembly: {min_area_m2: 500}\n";
-  const OfflineRun found = model_bags(options, [](const Progress&) {});
-  EXPECT_TRUE(found.planes_after.empty());
-  EXPECT_THAT(summary_text(found.summary), HasSubstr("warning: no plane: 817 ribbons, but they"));
-  EXPECT_THAT(summary_to_json(found.summary, "run"), HasSubstr("assembly.min_area_m2 (500 m2)"));
-}
-
-TEST(Offline, ABagWhoseLinesGiveNothingIsAnErrorWithTheCause) {
-  ros::Time::init();
-  const TemporaryDirectory directory;
-  OfflineOptions options;
-  options.bags = {kRoom};
-  options.config = directory.path() / "near.yaml";
-  std::ofstream(options.config) << "scan: {max_range_m: 0.4}\n";
-  try {
-    model_bags(options, [](const Progress&) {});
-    ADD_FAILURE() << "modelled";
-  } catch (const std::runtime_error& error) {
-    EXPECT_THAT(error.what(), HasSubstr("480 x no returns"));
-    EXPECT_THAT(error.what(), HasSubstr("scan.min_range_m .. scan.max_range_m"));
-  }
-}
-
 struct Drift {
   double scale;
   double tolerance_m;  ///< for the position of a plane

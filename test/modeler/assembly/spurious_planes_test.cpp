@@ -75,6 +75,16 @@ TEST(WithoutSpuriousPlanes, KeepsTheBackOfAThinWall) {
   EXPECT_FALSE(is_kept(front));
 }
 
+TEST(WithoutSpuriousPlanes, KeepsTheLeafOfADoorAjar) {
+  for (const double angle_deg : {1.0, 3.0, 5.0}) {
+    const double half_m = 0.45, angle = angle_deg * M_PI / 180.0;
+    Plane leaf =
+        turned_plane({2.0 + half_m * std::sin(angle), 0.0, half_m}, 90.0 - angle_deg, 18, 36);
+    leaf.id = 7;
+    EXPECT_EQ(angle_deg > 2.0, is_kept(leaf)) << angle_deg;
+  }
+}
+
 TEST(Footprint, HoldsPointsOnThePlaneNearItsCells) {
   const Footprint footprint(kFloor, 0.15);  // x from 0 to 2, y from -1.5 to 1.5
   EXPECT_TRUE(footprint.holds({1.0, 0.0, 0.03}, 0.04));

@@ -65,7 +65,7 @@ TEST(Bend, IsNotFoundOnAWall) {
 /// The association takes such a leaf for the wall.
 TEST(Bend, IsNotFoundBelowTheAngleOfTheConfiguration) {
   int found = 0;
-  for (unsigned seed = 1; seed <= 100; ++seed) found += bend_of(wall_and_leaf(1.0), seed) ? 1 : 0;
+  for (unsigned seed = 1; seed <= 100; ++seed) found += bend_of(wall_and_leaf(0.5), seed) ? 1 : 0;
   EXPECT_LE(found, 1);
 }
 
