@@ -71,7 +71,7 @@ void collect(const YAML::Node& section, const std::string& prefix, const KnownNa
 /// Parses a number, whatever the locale. Returns false if the text is none.
 template <typename Number>
 bool parse(const std::string& text, Number& number) {
-  const bool has_mark = text.rfind("+", 0) == 0 || text == ".nan" || text == ".inf";
+  const bool has_mark = text.rfind('+', 0) == 0 || text == ".nan" || text == ".inf";
   const char* const end = text.data() + text.size();
   const auto [at, error] = std::from_chars(text.data() + (has_mark ? 1 : 0), end, number);
   return error == std::errc() && at == end;

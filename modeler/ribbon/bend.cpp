@@ -14,7 +14,7 @@ namespace {
 constexpr double kSigmas = 4.0;
 /// Part of a bend's significance that is left at the next place that is tried at first.
 constexpr double kShareNearby = 0.5;
-constexpr std::size_t kPlaces = 8;
+constexpr std::size_t kPlaces = 6;
 
 /// Sums over returns in the plane of the scan: x along the chord, y across it.
 struct Sums {
@@ -85,12 +85,23 @@ class BentLine {
   double square_error_;
 };
 
+/// Returns false if noise hides the largest bend, as two clusters' normals differ by more. In the
+/// middle of a line of n points and this length, a bend's standard error is sigma sqrt(48 / n) / l.
+bool can_show_a_bend(const ScanLine& line, const BeamRange& beams, const ScanConfig& scan,
+                     const RibbonConfig& config) {
+  const double square_length_m2 =
+      (line.points[beams.end - 1] - line.points[beams.begin]).squaredNorm();
+  const double largest_rad = config.cluster_angle_deg * kDegree;
+  return static_cast<double>(beams.size()) * square_length_m2 * square(largest_rad) >
+         48.0 * square(kSigmas * scan.range_sigma_m);
+}
+
 }  // namespace
 
 std::optional<std::size_t> find_bend(const ScanLine& line, const BeamRange& beams,
-                                     const RibbonConfig& config) {
+                                     const ScanConfig& scan, const RibbonConfig& config) {
   const auto least = static_cast<std::size_t>(config.min_points);
-  if (beams.size() < 2 * least) return std::nullopt;
+  if (beams.size() < 2 * least || !can_show_a_bend(line, beams, scan, config)) return std::nullopt;
   const BentLine bent(line, beams);
   std::size_t best = 0;
   BentLine::Fit fit{0.0, 0.0};

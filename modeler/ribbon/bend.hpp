@@ -7,6 +7,7 @@
 
 #include "modeler/ribbon/ribbon_config.hpp"
 #include "modeler/scan/beam_range.hpp"
+#include "modeler/scan/scan_config.hpp"
 #include "modeler/scan/scan_line.hpp"
 
 namespace ribbon_mapper {
@@ -17,6 +18,6 @@ namespace ribbon_mapper {
 /// The line is a polyline of two pieces. Its bend is steeper than RibbonConfig::min_bend_deg and
 /// than four standard errors of its angle. The leaf of a door that stands ajar is found so.
 std::optional<std::size_t> find_bend(const ScanLine& line, const BeamRange& beams,
-                                     const RibbonConfig& config);
+                                     const ScanConfig& scan, const RibbonConfig& config);
 
 }  // namespace ribbon_mapper

@@ -88,7 +88,7 @@ void RibbonExtraction::add_run(const ScanLine& line, std::size_t first_surfel,
   const auto end = surfel + static_cast<std::ptrdiff_t>(end_of_surfels);
   if (first == end) return;
   const BeamRange beams{first->beam, std::prev(end)->beam + 1U};
-  if (const auto bend = find_bend(line, beams, config_)) {
+  if (const auto bend = find_bend(line, beams, scan_, config_)) {
     const auto at = std::find_if(first, end, [&](const Surfel& s) { return s.beam >= *bend; });
     const auto middle = static_cast<std::size_t>(at - surfel);
     add_run(line, first_surfel, middle, {room.begin, *bend});

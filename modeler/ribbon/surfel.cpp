@@ -95,12 +95,14 @@ double surfel_area_m2(const ThreeLines& lines, std::size_t beam) {
 }
 
 double capped_area_m2(const ThreeLines& lines, const BeamRange& beams, double cap_m2) {
-  double sum_m2 = 0.0;
-  const bool by_index = lines.are_matched_by_index();
-  for (std::size_t beam = beams.begin; beam < beams.end; ++beam) {
-    sum_m2 += std::min(cap_m2, area_m2(lines, beam, by_index));
-  }
-  return sum_m2;
+  const auto sum_m2 = [&](bool by_index) {
+    double sum = 0.0;
+    for (std::size_t beam = beams.begin; beam < beams.end; ++beam) {
+      sum += std::min(cap_m2, area_m2(lines, beam, by_index));
+    }
+    return sum;
+  };
+  return lines.are_matched_by_index() ? sum_m2(true) : sum_m2(false);  // two loops, without tests
 }
 
 void estimate_surfels(const ThreeLines& lines, const ScanConfig& scan, const RibbonConfig& config,

@@ -77,10 +77,12 @@ double base_line_m(const ScanLine& before, const ScanLine& line) {
     have_common_bearings = true;
     if (!line.has_return(i)) continue;
     const auto other = static_cast<std::size_t>(at);
-    const double beams_apart = static_cast<double>(i) - static_cast<double>(other);
-    const Eigen::Vector3d moved =
-        of_first + static_cast<double>(i) * per_beam + beams_apart * before.origin_step +
-        line.ranges_m[i] * (line.directions[i] - before.directions[other]);
+    Eigen::Vector3d moved = of_first + static_cast<double>(i) * per_beam +
+                            line.ranges_m[i] * (line.directions[i] - before.directions[other]);
+    if (!match.is_by_index()) {
+      const double beams_apart = static_cast<double>(i) - static_cast<double>(other);
+      moved += beams_apart * before.origin_step;
+    }
     squares[count++] = square_across(moved, before, other);
   }
   if (!have_common_bearings) return std::numeric_limits<double>::infinity();

@@ -20,7 +20,8 @@ struct ThreeLines {
         middle(middle_),
         next(next_),
         to_previous(middle_, previous_),
-        to_next(middle_, next_) {}
+        to_next(middle_, next_),
+        by_index_(to_previous.is_by_index() && to_next.is_by_index()) {}
 
   const ScanLine& previous;  ///< the line before, far enough away for a normal
   const ScanLine& middle;    ///< the line whose surfels and ribbons are wanted
@@ -29,7 +30,7 @@ struct ThreeLines {
   BeamMatch to_next;         ///< from the beams of the middle line to those of the next one
 
   /// Returns true if all three lines have the same bearings.
-  bool are_matched_by_index() const { return to_previous.is_by_index() && to_next.is_by_index(); }
+  bool are_matched_by_index() const { return by_index_; }
 
   /// Returns the moments of the returns of all three lines among beams [begin, end).
   Moments moments(std::size_t begin, std::size_t end) const {
@@ -39,8 +40,13 @@ struct ThreeLines {
 
   /// Returns true if all three lines have a return at `beam`.
   bool have_return(std::size_t beam) const {
-    return middle.has_return(beam) && to_previous.has_return(beam) && to_next.has_return(beam);
+    if (!middle.has_return(beam)) return false;
+    if (by_index_) return previous.has_return(beam) && next.has_return(beam);
+    return to_previous.has_return(beam) && to_next.has_return(beam);
   }
+
+ private:
+  bool by_index_;
 };
 
 }  // namespace ribbon_mapper

@@ -41,7 +41,7 @@ BeamRange seen(const ScanLine& line) {
 
 std::optional<std::size_t> bend_of(const World& world, unsigned seed) {
   const ScanLine line = lines_of(world, seed).middle;
-  return find_bend(line, seen(line), RibbonConfig{});
+  return find_bend(line, seen(line), ScanConfig{}, RibbonConfig{});
 }
 
 TEST(Bend, IsFoundAtTheHingeOfADoorThatStandsAjar) {
@@ -73,7 +73,8 @@ TEST(Bend, NeedsPointsOnBothSides) {
   const ScanLine line = lines_of(wall_and_leaf(10.0), 1).middle;
   const BeamRange beams = seen(line);
   for (std::size_t size = 1; size < 12; ++size) {
-    EXPECT_FALSE(find_bend(line, {beams.begin, beams.begin + size}, RibbonConfig{})) << size;
+    EXPECT_FALSE(find_bend(line, {beams.begin, beams.begin + size}, ScanConfig{}, RibbonConfig{}))
+        << size;
   }
 }
 
