@@ -20,13 +20,13 @@ namespace {
 constexpr char kMagic[] = "#ROSBAG V2.0\n";
 constexpr std::uint64_t kMaxHeader = 1 << 20;
 constexpr std::uint64_t kMaxChunk = 1 << 29;  // rosbag writes chunks of 768 kB
-enum Op : std::uint8_t {
-  kMessage = 2,
-  kHeader = 3,
-  kIndex = 4,
-  kChunk = 5,
-  kChunkInfo = 6,
-  kConnection = 7
+enum class Op : std::uint8_t {
+  message = 2,
+  header = 3,
+  index = 4,
+  chunk = 5,
+  chunk_info = 6,
+  connection = 7
 };
 
 using Bytes = std::vector<char>;
@@ -67,7 +67,8 @@ Fields fields_of(const char* bytes, std::uint64_t size) {
 }
 
 void require_op(const Fields& fields, Op op) {
-  if (number_of<std::uint8_t>(fields, "op") != op) fail("a record is of another kind");
+  if (number_of<std::uint8_t>(fields, "op") != static_cast<std::uint8_t>(op))
+    fail("a record is of another kind");
 }
 
 struct Record {
@@ -136,15 +137,15 @@ void check_message(const Bytes& chunk, std::uint64_t begin) {
   const std::uint64_t data_size = length_at(begin + 4 + header_size);
   if (data_size > chunk.size() - (begin + 8 + header_size))
     fail("a message reaches beyond its chunk");
-  require_op(fields_of(chunk.data() + begin + 4, header_size), kMessage);
+  require_op(fields_of(chunk.data() + begin + 4, header_size), Op::message);
 }
 
 void check_chunk(BagFile& file, const Record& info) {
-  const Record chunk = file.record(number_of<std::uint64_t>(info.fields, "chunk_pos"), kChunk);
+  const Record chunk = file.record(number_of<std::uint64_t>(info.fields, "chunk_pos"), Op::chunk);
   const Bytes content = chunk_content(file, chunk);
   std::uint64_t at = chunk.end();
   for (auto left = number_of<std::uint32_t>(info.fields, "count"); left > 0; --left) {
-    const Record index = file.record(at, kIndex);
+    const Record index = file.record(at, Op::index);
     const std::uint64_t count = number_of<std::uint32_t>(index.fields, "count");
     if (index.data_size != 12 * count) fail("an index has another length than it says");
     const Bytes entries = file.bytes(index.data_begin, index.data_size);
@@ -161,13 +162,13 @@ void check_bag_structure(const std::filesystem::path& path) {
   constexpr std::uint64_t kBegin = sizeof kMagic - 1;
   const Bytes magic = file.bytes(0, kBegin);
   if (std::memcmp(magic.data(), kMagic, kBegin) != 0) return;
-  const Fields header = file.record(kBegin, kHeader).fields;
+  const Fields header = file.record(kBegin, Op::header).fields;
   auto at = number_of<std::uint64_t>(header, "index_pos");
   if (at == 0) return;
   for (auto left = number_of<std::uint32_t>(header, "conn_count"); left > 0; --left)
-    at = file.record(at, kConnection).end();
+    at = file.record(at, Op::connection).end();
   for (auto left = number_of<std::uint32_t>(header, "chunk_count"); left > 0; --left) {
-    const Record info = file.record(at, kChunkInfo);
+    const Record info = file.record(at, Op::chunk_info);
     check_chunk(file, info);
     at = info.end();
   }

@@ -57,7 +57,7 @@ std::string StrictParameters::filled_text(const std::string& key, const std::str
 }
 
 std::string StrictParameters::frame(const std::string& key, const std::string& fallback) {
-  const std::string name = without_slash(text(key, fallback));
+  std::string name = without_slash(text(key, fallback));
   if (name.empty()) refuse(full_name(key), "is empty: set it to a frame of tf, or leave it out");
   if (name.size() > kMaxFrameName) refuse(full_name(key), "is too long for the name of a frame");
   return name;

@@ -125,7 +125,8 @@ void WireReader::parse_line(std::string line, const std::string& type) {
 /// Returns the full name of a type that a field of the type `user` names. As in ROS, a name without
 /// a package means the package of the user; publishers differ in that, so any package will do.
 std::string WireReader::full_name(const std::string& type, const std::string& user) const {
-  const std::string header = "std_msgs/Header", beside = user.substr(0, user.find('/') + 1) + type;
+  std::string header = "std_msgs/Header";
+  const std::string beside = user.substr(0, user.find('/') + 1) + type;
   if (type == "Header" && types_.count(header) != 0) return header;
   for (const std::string& name : {type, beside}) {
     if (!name.empty() && types_.count(name) != 0) return name;
