@@ -134,6 +134,8 @@ std::vector<StampedPose> Modeler::trajectory() const {
 
 const std::vector<Ribbon>& Modeler::ribbons() const { return state_->observations.ribbons(); }
 
+const Observations& Modeler::observations() const { return state_->observations; }
+
 ModelStatistics Modeler::statistics() const {
   return {state_->lines, state_->observations.ribbons().size(), state_->thinned, state_->revision,
           state_->front_end.no_return()};

@@ -15,6 +15,8 @@
 
 namespace ribbon_mapper {
 
+class Observations;
+
 /// Counts of what a modeler has done.
 struct ModelStatistics {
   std::size_t lines = 0;     ///< lines given to add_scan_line()
@@ -79,6 +81,9 @@ class Modeler {
   /// Returns all ribbons in the order of their lines and beams, each in the frame of its
   /// acquisition pose: trajectory()[ribbon.pose]. Valid until the model changes.
   const std::vector<Ribbon>& ribbons() const;
+
+  /// Returns all that the model is a function of. Valid until the model changes.
+  const Observations& observations() const;
 
   /// Returns counts of what has been done.
   ModelStatistics statistics() const;

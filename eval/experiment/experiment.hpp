@@ -11,12 +11,18 @@
 
 namespace ribbon_mapper::eval {
 
+/// What corrects the trajectory at the end of a tour.
+enum class Closure {
+  truth,  ///< the true trajectory: the virtual loop closure of the paper
+  self    ///< an estimate from odometry and ribbons
+};
+
 /// Runs the paper's experiment in one process. A tour with noisy localisation is modelled; at its
 /// end the model is corrected by the true trajectory, a virtual loop closure. The planes are
 /// reproducible to the byte, the times are not. The caller sets `run` and `command` of the summary.
 /// Throws as sim::Tour and Modeler.
 Results run_experiment(const sim::World& world, const sim::Route& route,
-                       const sim::TourConfig& tour, const ModelerConfig& modeler,
+                       const sim::TourConfig& tour, const ModelerConfig& modeler, Closure closure,
                        const ProgressCallback& progress);
 
 }  // namespace ribbon_mapper::eval

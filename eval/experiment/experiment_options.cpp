@@ -79,6 +79,9 @@ void require_seed(const std::string& text) {
 void add_run_options(CLI::App& app, RunOptions& run) {
   app.add_option("--route", run.route, "route file [<world>.route.yaml, beside the world]");
   app.add_option("--config", run.config, "preset of the modeler")->capture_default_str();
+  app.add_option("--closure", run.closure, "what corrects the trajectory: truth or self")
+      ->check(CLI::IsMember({"truth", "self"}))
+      ->capture_default_str();
   app.add_option("--caster", run.caster, "library that casts the laser's rays: bullet or embree")
       ->check(accepted_by(sim::ray_caster_kind_from))
       ->capture_default_str();

@@ -37,7 +37,7 @@ std::string quoted(const std::string& text) {
 
 /// Returns everything but the seed, in the order of comes_before().
 auto conditions_of(const RunOptions& r) {
-  return std::tie(r.world, r.route, r.config, r.model_paths, r.visuals, r.noise, r.tilt, r.caster,
+  return std::tie(r.world, r.route, r.config, r.model_paths, r.visuals, r.noise, r.tilt, r.closure, r.caster,
                   r.beams, r.speed_m_s, r.deskew, r.drift);
 }
 
@@ -50,6 +50,7 @@ std::vector<Option> varied_options(const RunOptions& r) {
           {"config", r.config},
           {"noise", r.noise},
           {"tilt", r.tilt},
+          {"closure", r.closure},
           {"caster", r.caster},
           {"beams", text_of(r.beams)},
           {"speed", text_of(r.speed_m_s)},
@@ -83,6 +84,7 @@ std::string command_of(const RunOptions& run) {
   add("--config", run.config, defaults.config);
   add("--noise", run.noise, defaults.noise);
   add("--tilt", run.tilt, defaults.tilt);
+  add("--closure", run.closure, defaults.closure);
   add("--caster", run.caster, defaults.caster);
   add("--beams", text_of(run.beams), "");
   add("--speed", text_of(run.speed_m_s), "");

@@ -85,6 +85,15 @@ void PlaneMap::add(const PosedRibbon& ribbon, std::uint32_t index) {
   if (matches_.size() > 1) merge_with(matches_, slot);
 }
 
+std::vector<const Hypothesis*> PlaneMap::near(const PosedRibbon& ribbon) {
+  index_.voxels_of(ribbon, voxels_);
+  index_.near(
+      voxels_, cube_side(ribbon.normal), [](std::uint32_t) { return true; }, near_);
+  std::vector<const Hypothesis*> found;
+  for (const std::uint32_t slot : near_) found.push_back(&hypotheses_[slot]);
+  return found;
+}
+
 std::uint32_t PlaneMap::new_slot() {
   const Hypothesis empty(next_id_++);
   if (!free_slots_.empty()) {

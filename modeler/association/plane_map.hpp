@@ -24,6 +24,10 @@ class PlaneMap {
   /// Adds a ribbon, which becomes a member with this index.
   void add(const PosedRibbon& ribbon, std::uint32_t index);
 
+  /// Returns the hypotheses near a ribbon that were seen from a similar direction. They are valid
+  /// until the map changes.
+  std::vector<const Hypothesis*> near(const PosedRibbon& ribbon);
+
   /// Returns the hypotheses as built on the way, ordered by id.
   std::vector<Hypothesis> hypotheses() const;
 

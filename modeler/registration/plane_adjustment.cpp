@@ -2,14 +2,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "modeler/registration/plane_adjustment.hpp"
 
-#include <Eigen/Cholesky>
-#include <algorithm>
+#include "modeler/registration/chain_system.hpp"
 
 namespace ribbon_mapper {
 namespace {
-
-using Eigen::MatrixXd;
-using Eigen::VectorXd;
 
 // A weak prior on landmarks [m, rad], so that the system is regular where nothing was matched.
 constexpr double kLandmarkSigma = 1.0;
@@ -18,16 +14,6 @@ constexpr double kLandmarkSigma = 1.0;
 struct Landmarks {
   const std::vector<PlaneLandmark>& all;
   double robust_sigmas;
-};
-
-/// The normal equations of all landmarks, three unknowns each.
-struct LandmarkSystem {
-  explicit LandmarkSystem(std::size_t landmarks)
-      : information(MatrixXd::Identity(3 * landmarks, 3 * landmarks) /
-                    (kLandmarkSigma * kLandmarkSigma)),
-        vector(VectorXd::Zero(3 * landmarks)) {}
-  MatrixXd information;
-  VectorXd vector;
 };
 
 /// The linearised equations of one match, weighted.
@@ -47,60 +33,32 @@ struct Equation {
   Eigen::Vector2d weights;
 };
 
-void add_line(const ObservingLine& line, const Landmarks& landmarks, LandmarkSystem& system) {
+void add_landmark(const LandmarkMatch& match, const Equation& e, ChainSystem& system) {
+  const Eigen::Matrix<double, 3, 2> weighted = e.by_landmark.transpose() * e.weights.asDiagonal();
+  system.add_landmark(match.landmark, weighted * e.by_landmark, -weighted * e.residual);
+}
+
+void add_known_line(const ObservingLine& line, const Landmarks& landmarks, ChainSystem& system) {
+  for (const LandmarkMatch& match : line.matches) {
+    add_landmark(match, Equation(match, landmarks, line.T_model_base), system);
+  }
+}
+
+void add_line(const ObservingLine& line, const Landmarks& landmarks, std::size_t pose,
+              ChainSystem& system) {
   for (const LandmarkMatch& match : line.matches) {
     const Equation e(match, landmarks, line.T_model_base);
-    const auto at = 3 * match.landmark;
-    system.information.block<3, 3>(at, at) +=
-        e.by_landmark.transpose() * e.weights.asDiagonal() * e.by_landmark;
-    system.vector.segment<3>(at) -= e.by_landmark.transpose() * e.weights.asDiagonal() * e.residual;
+    const Eigen::Matrix<double, 6, 2> weighted = e.by_pose.transpose() * e.weights.asDiagonal();
+    system.add_pose(pose, weighted * e.by_pose, -weighted * e.residual);
+    system.add_coupling(pose, match.landmark, weighted * e.by_landmark);
+    add_landmark(match, e, system);
   }
 }
 
-/// The normal equations of a segment: block-tridiagonal in the poses of its lines, bordered by the
-/// landmarks that these observe.
-class SegmentSystem {
- public:
-  SegmentSystem(const ObservingSegment& observing, const Landmarks& landmarks);
-
-  /// Eliminates the poses and adds what remains to the landmarks' system.
-  void reduce_to(LandmarkSystem& system);
-
-  /// Returns the errors of the poses, given those of all landmarks.
-  std::vector<Vector6> solve(const VectorXd& landmark_errors) const;
-
- private:
-  void add_step(const ObservingSegment& observing, std::size_t step);
-  void add_matches(const ObservingLine& line, const Landmarks& landmarks, std::size_t row);
-  VectorXd observed_part(const VectorXd& landmark_errors) const;
-  Eigen::Index column_of(std::uint32_t landmark) const {
-    return 3 * (std::lower_bound(observed_.begin(), observed_.end(), landmark) - observed_.begin());
-  }
-
-  std::vector<std::uint32_t> observed_;  // landmarks, sorted
-  std::vector<Matrix6> diagonal_;        // by line; of the eliminated system once reduced
-  std::vector<Matrix6> upper_;           // from each line to the next
-  std::vector<MatrixXd> border_;  // by line: 3 columns per landmark, then the right-hand side
-  std::vector<Eigen::LDLT<Matrix6>> factors_;
-};
-
-SegmentSystem::SegmentSystem(const ObservingSegment& observing, const Landmarks& landmarks)
-    : diagonal_(observing.lines.size(), Matrix6::Zero()),
-      upper_(observing.lines.size(), Matrix6::Zero()) {
-  for (const ObservingLine& line : observing.lines) {
-    for (const LandmarkMatch& match : line.matches) observed_.push_back(match.landmark);
-  }
-  std::sort(observed_.begin(), observed_.end());
-  observed_.erase(std::unique(observed_.begin(), observed_.end()), observed_.end());
-  const auto columns = static_cast<Eigen::Index>(3 * observed_.size() + 1);
-  border_.assign(observing.lines.size(), MatrixXd::Zero(6, columns));
-  for (std::size_t i = 0; i < observing.segment.steps.size(); ++i) add_step(observing, i);
-  for (std::size_t i = 0; i < observing.lines.size(); ++i) {
-    add_matches(observing.lines[i], landmarks, i);
-  }
-}
-
-void SegmentSystem::add_step(const ObservingSegment& observing, std::size_t step) {
+/// Adds an odometry step to the line of index `step` in the segment, whose first line is the pose
+/// `first` of the system.
+void add_step(const ObservingSegment& observing, std::size_t step, std::size_t first,
+              ChainSystem& system) {
   const TrajectorySegment& segment = observing.segment;
   const bool is_first = step == 0, is_last = step == observing.lines.size();
   if ((is_first && !segment.T_frame_start) || (is_last && !segment.T_frame_end)) return;
@@ -110,91 +68,56 @@ void SegmentSystem::add_step(const ObservingSegment& observing, std::size_t step
   const Matrix6 information =
       in_model_axes(segment.step_variances[step].cwiseInverse(), from.linear());
   const Matrix6 by_from = -transport(from.linear() * segment.steps[step].translation());
-  if (!is_first) {
-    diagonal_[step - 1] += by_from.transpose() * information * by_from;
-    border_[step - 1].rightCols<1>() -= by_from.transpose() * information * residual;
-  }
-  if (!is_last) {
-    diagonal_[step] += information;
-    border_[step].rightCols<1>() -= information * residual;
-  }
-  if (!is_first && !is_last) upper_[step - 1] = by_from.transpose() * information;
+  const Matrix6 weighted = by_from.transpose() * information;
+  if (!is_first) system.add_pose(first + step - 1, weighted * by_from, -weighted * residual);
+  if (!is_last) system.add_pose(first + step, information, -information * residual);
+  if (!is_first && !is_last) system.add_link(first + step - 1, weighted);
 }
 
-void SegmentSystem::add_matches(const ObservingLine& line, const Landmarks& landmarks,
-                                std::size_t row) {
-  for (const LandmarkMatch& match : line.matches) {
-    const Equation e(match, landmarks, line.T_model_base);
-    const Eigen::Matrix<double, 6, 2> weighted = e.by_pose.transpose() * e.weights.asDiagonal();
-    diagonal_[row] += weighted * e.by_pose;
-    border_[row].middleCols<3>(column_of(match.landmark)) += weighted * e.by_landmark;
-    border_[row].rightCols<1>() -= weighted * e.residual;
-  }
+std::size_t count_lines(const std::vector<ObservingSegment>& segments) {
+  std::size_t count = 0;
+  for (const ObservingSegment& segment : segments) count += segment.lines.size();
+  return count;
 }
 
-void SegmentSystem::reduce_to(LandmarkSystem& system) {
-  const auto columns = static_cast<Eigen::Index>(3 * observed_.size());
-  MatrixXd complement = MatrixXd::Zero(columns, columns + 1);
-  for (std::size_t i = 0; i < diagonal_.size(); ++i) {
-    if (i > 0) {
-      const Matrix6 eliminated = factors_[i - 1].solve(upper_[i - 1]).transpose();
-      diagonal_[i] -= eliminated * upper_[i - 1];
-      border_[i] -= eliminated * border_[i - 1];
+/// Returns the normal equations. The segments' poses follow each other, without a link between the
+/// last of one and the first of the next.
+ChainSystem equations_of(const std::vector<ObservingLine>& known_lines,
+                         const std::vector<ObservingSegment>& segments,
+                         const Landmarks& landmarks) {
+  ChainSystem system(count_lines(segments), landmarks.all.size());
+  const Eigen::Matrix3d prior = Eigen::Matrix3d::Identity() / square(kLandmarkSigma);
+  for (std::size_t i = 0; i < landmarks.all.size(); ++i) {
+    system.add_landmark(i, prior, Eigen::Vector3d::Zero());
+  }
+  for (const ObservingLine& line : known_lines) add_known_line(line, landmarks, system);
+  std::size_t first = 0;
+  for (const ObservingSegment& segment : segments) {
+    for (std::size_t i = 0; i < segment.segment.steps.size(); ++i) {
+      add_step(segment, i, first, system);
     }
-    factors_.emplace_back(diagonal_[i]);
-    complement += border_[i].leftCols(columns).transpose() * factors_[i].solve(border_[i]);
-  }
-  for (Eigen::Index a = 0; a < columns; ++a) {
-    const Eigen::Index row = 3 * observed_[a / 3] + a % 3;
-    system.vector[row] -= complement(a, columns);
-    for (Eigen::Index b = 0; b < columns; ++b) {
-      system.information(row, 3 * observed_[b / 3] + b % 3) -= complement(a, b);
+    for (std::size_t i = 0; i < segment.lines.size(); ++i) {
+      add_line(segment.lines[i], landmarks, first + i, system);
     }
+    first += segment.lines.size();
   }
-}
-
-VectorXd SegmentSystem::observed_part(const VectorXd& landmark_errors) const {
-  VectorXd result(3 * observed_.size());
-  for (std::size_t i = 0; i < observed_.size(); ++i) {
-    result.segment<3>(3 * i) = landmark_errors.segment<3>(3 * observed_[i]);
-  }
-  return result;
-}
-
-std::vector<Vector6> SegmentSystem::solve(const VectorXd& landmark_errors) const {
-  const VectorXd errors = observed_part(landmark_errors);
-  std::vector<Vector6> result(diagonal_.size());
-  for (std::size_t i = diagonal_.size(); i-- > 0;) {
-    Vector6 rest = border_[i].rightCols<1>() - border_[i].leftCols(errors.size()) * errors;
-    if (i + 1 < diagonal_.size()) rest -= upper_[i] * result[i + 1];
-    result[i] = factors_[i].solve(rest);
-  }
-  return result;
+  return system;
 }
 
 }  // namespace
 
 void adjust(const std::vector<ObservingLine>& known_lines, std::vector<ObservingSegment>& segments,
             std::vector<PlaneLandmark>& landmarks, double robust_sigmas) {
-  const Landmarks weighted{landmarks, robust_sigmas};
-  LandmarkSystem system(landmarks.size());
-  std::vector<SegmentSystem> segment_systems;
-  for (const ObservingLine& line : known_lines) add_line(line, weighted, system);
-  for (const ObservingSegment& segment : segments) {
-    for (const ObservingLine& line : segment.lines) add_line(line, weighted, system);
-    segment_systems.emplace_back(segment, weighted);
-    segment_systems.back().reduce_to(system);
-  }
-  const VectorXd errors = system.information.ldlt().solve(system.vector);
-  for (std::size_t i = 0; i < segments.size(); ++i) {
-    const std::vector<Vector6> pose_errors = segment_systems[i].solve(errors);
-    for (std::size_t k = 0; k < pose_errors.size(); ++k) {
-      Pose& pose = segments[i].lines[k].T_model_base;
-      pose = moved(pose, pose_errors[k]);
+  const ChainSystem::Solution errors =
+      equations_of(known_lines, segments, {landmarks, robust_sigmas}).solve();
+  auto error = errors.poses.begin();
+  for (ObservingSegment& segment : segments) {
+    for (ObservingLine& line : segment.lines) {
+      line.T_model_base = moved(line.T_model_base, *error++);
     }
   }
   for (std::size_t i = 0; i < landmarks.size(); ++i) {
-    landmarks[i] = moved(landmarks[i], errors.segment<3>(static_cast<Eigen::Index>(3 * i)));
+    landmarks[i] = moved(landmarks[i], errors.landmarks[i]);
   }
 }
 

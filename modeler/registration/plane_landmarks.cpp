@@ -47,27 +47,45 @@ std::size_t independent_ribbons(const Hypothesis& hypothesis, const PosedObserva
 
 }  // namespace
 
-PlaneLandmarks::PlaneLandmarks(const PosedObservations& observations,
-                               const std::vector<LineState>& lines,
-                               const RegistrationConfig& config, const SharedSettings& shared)
-    : config_(config), index_(shared.bridged_gap_m) {
+std::vector<Hypothesis> supported_planes(const PosedObservations& observations,
+                                         const std::vector<LineState>& lines,
+                                         const RegistrationConfig& config,
+                                         const SharedSettings& shared) {
   const auto min_ribbons = static_cast<std::size_t>(config.min_ribbons);
-  for (const Hypothesis& hypothesis : hypotheses_of(observations, lines, shared)) {
-    if (independent_ribbons(hypothesis, observations, lines) < min_ribbons) continue;
-    add(hypothesis, observations);
+  std::vector<Hypothesis> supported;
+  for (Hypothesis& plane : hypotheses_of(observations, lines, shared)) {
+    if (independent_ribbons(plane, observations, lines) < min_ribbons) continue;
+    supported.push_back(std::move(plane));
   }
+  return supported;
 }
 
-void PlaneLandmarks::add(const Hypothesis& hypothesis, const PosedObservations& observations) {
+PlaneLandmark landmark_of(const Hypothesis& plane) {
+  const Eigen::Vector3d axis_u = plane.fit().axes.col(2);
+  return {plane.normal(), axis_u, plane.normal().cross(axis_u), plane.fit().mean};
+}
+
+PlaneLandmarks::PlaneLandmarks(const std::vector<Hypothesis>& planes,
+                               const std::function<PosedRibbon(std::uint32_t)>& ribbon_at,
+                               double reach_m, const RegistrationConfig& config)
+    : config_(config), index_(reach_m) {
+  for (const Hypothesis& plane : planes) add(plane, ribbon_at);
+}
+
+void PlaneLandmarks::add(const Hypothesis& plane,
+                         const std::function<PosedRibbon(std::uint32_t)>& ribbon_at) {
   const auto slot = static_cast<std::uint32_t>(landmarks_.size());
   index_.list(slot, 1 << kAnySide);
-  for (const Member& member : hypothesis.members()) {
-    index_.voxels_of(observations.ribbon(member.ribbon), voxels_);
+  for (const Member& member : plane.members()) {
+    index_.voxels_of(ribbon_at(member.ribbon), voxels_);
     index_.enter(slot, voxels_);
   }
-  const Eigen::Vector3d axis_u = hypothesis.fit().axes.col(2);
-  landmarks_.push_back(
-      {hypothesis.normal(), axis_u, hypothesis.normal().cross(axis_u), hypothesis.fit().mean});
+  landmarks_.push_back(landmark_of(plane));
+}
+
+void PlaneLandmarks::extend(std::uint32_t landmark, const PosedRibbon& ribbon) {
+  index_.voxels_of(ribbon, voxels_);
+  index_.enter(landmark, voxels_);
 }
 
 std::vector<std::uint32_t> PlaneLandmarks::landmarks_near(const PosedRibbon& ribbon) {
@@ -78,7 +96,7 @@ std::vector<std::uint32_t> PlaneLandmarks::landmarks_near(const PosedRibbon& rib
   return landmarks;
 }
 
-bool PlaneLandmarks::fits_across(const PlaneObservation& observation, const Eigen::Vector3d& normal,
+bool LandmarkMatcher::fits_across(const PlaneObservation& observation, const Eigen::Vector3d& normal,
                                  const PoseBelief& belief) const {
   const Pose& T = belief.T_model_base;
   if (normal.dot(T.linear() * observation.normal) < kMinCosineOfSide) return false;
@@ -91,12 +109,12 @@ bool PlaneLandmarks::fits_across(const PlaneObservation& observation, const Eige
   return tilt(normal, across) < gate;
 }
 
-std::optional<PlaneLandmarks::Match> PlaneLandmarks::match_of(const PlaneObservation& observation,
+std::optional<LandmarkMatcher::Match> LandmarkMatcher::match_of(const PlaneObservation& observation,
                                                               const PoseBelief& belief) const {
   std::optional<Match> best, second;
   const Pose& T = belief.T_model_base;
   for (const std::uint32_t candidate : observation.candidates) {
-    const PlaneLandmark& landmark = landmarks_[candidate];
+    const PlaneLandmark& landmark = (*landmarks_)[candidate];
     if (!fits_across(observation, landmark.normal, belief)) continue;
     const Eigen::Vector2d residual = residual_of(observation, landmark, T);
     const Eigen::Matrix<double, 2, 6> derivative =
@@ -118,7 +136,7 @@ std::optional<PlaneLandmarks::Match> PlaneLandmarks::match_of(const PlaneObserva
   return is_ambiguous ? std::nullopt : best;
 }
 
-std::vector<LandmarkMatch> PlaneLandmarks::matches(
+std::vector<LandmarkMatch> LandmarkMatcher::matches(
     const std::vector<PlaneObservation>& observations, const PoseBelief& belief) const {
   std::vector<LandmarkMatch> result;
   for (const PlaneObservation& observation : observations) {
@@ -129,7 +147,7 @@ std::vector<LandmarkMatch> PlaneLandmarks::matches(
   return result;
 }
 
-PoseInformation PlaneLandmarks::linearised(const std::vector<PlaneObservation>& observations,
+PoseInformation LandmarkMatcher::linearised(const std::vector<PlaneObservation>& observations,
                                            const PoseBelief& belief) const {
   PoseInformation result;
   result.T_model_base = belief.T_model_base;
@@ -139,14 +157,14 @@ PoseInformation PlaneLandmarks::linearised(const std::vector<PlaneObservation>& 
     const Eigen::Vector2d weights = robust_weight(match->square_sigmas, config_.robust_sigmas) *
                                     observation.variances.cwiseInverse();
     const Eigen::Matrix<double, 2, 6> derivative =
-        derivative_by_pose(observation, landmarks_[match->landmark].normal, belief.T_model_base);
+        derivative_by_pose(observation, (*landmarks_)[match->landmark].normal, belief.T_model_base);
     result.matrix += derivative.transpose() * weights.asDiagonal() * derivative;
     result.vector -= derivative.transpose() * weights.asDiagonal() * match->residual;
   }
   return result;
 }
 
-PoseInformation PlaneLandmarks::measure(const std::vector<PlaneObservation>& observations,
+PoseInformation LandmarkMatcher::measure(const std::vector<PlaneObservation>& observations,
                                         const PoseBelief& without_them) const {
   const PoseInformation first = linearised(observations, without_them);
   return linearised(observations, updated(without_them, first));

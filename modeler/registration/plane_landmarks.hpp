@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <optional>
 #include <vector>
 
@@ -17,18 +18,20 @@
 
 namespace ribbon_mapper {
 
-/// The planes that ribbons are registered to, and the matching of ribbons with them.
-class PlaneLandmarks {
- public:
-  /// Builds planes from the ribbons of localised lines. A plane becomes a landmark if it has
-  /// independent support: min_ribbons ribbons more than the one segment contributes that
-  /// contributes the most. What a single segment has seen may be that segment's error.
-  /// `lines` holds the state of each pose of `observations`.
-  PlaneLandmarks(const PosedObservations& observations, const std::vector<LineState>& lines,
-                 const RegistrationConfig& config, const SharedSettings& shared);
+/// Returns the planes of localised lines' ribbons that have independent support: min_ribbons ribbons
+/// more than the one segment contributes that contributes the most. What a single segment has seen
+/// may be that segment's error. `lines` holds the state of each pose of `observations`.
+std::vector<Hypothesis> supported_planes(const PosedObservations& observations,
+                                         const std::vector<LineState>& lines,
+                                         const RegistrationConfig& config,
+                                         const SharedSettings& shared);
 
-  /// Returns the indices of the landmarks that a ribbon nearly touches.
-  std::vector<std::uint32_t> landmarks_near(const PosedRibbon& ribbon);
+/// Matches the ribbons of a line with landmarks.
+class LandmarkMatcher {
+ public:
+  /// Refers to landmarks, which must outlive this.
+  LandmarkMatcher(const std::vector<PlaneLandmark>& landmarks, const RegistrationConfig& config)
+      : landmarks_(&landmarks), config_(config) {}
 
   /// Measures the pose of a line by matching its ribbons. `without_them` is the belief of that
   /// pose without these ribbons. Ribbons are matched to their candidates, and a second time from
@@ -41,16 +44,12 @@ class PlaneLandmarks {
   std::vector<LandmarkMatch> matches(const std::vector<PlaneObservation>& observations,
                                      const PoseBelief& belief) const;
 
-  /// Returns all landmarks by index.
-  const std::vector<PlaneLandmark>& all() const { return landmarks_; }
-
  private:
   struct Match {
     std::uint32_t landmark;
     double square_sigmas;  // of the innovation
     Eigen::Vector2d residual;
   };
-  void add(const Hypothesis& hypothesis, const PosedObservations& observations);
   bool fits_across(const PlaneObservation& observation, const Eigen::Vector3d& normal,
                    const PoseBelief& belief) const;
   std::optional<Match> match_of(const PlaneObservation& observation,
@@ -58,6 +57,45 @@ class PlaneLandmarks {
   PoseInformation linearised(const std::vector<PlaneObservation>& observations,
                              const PoseBelief& belief) const;
 
+  const std::vector<PlaneLandmark>* landmarks_;
+  RegistrationConfig config_;
+};
+
+/// Returns a plane as a landmark.
+PlaneLandmark landmark_of(const Hypothesis& plane);
+
+/// The planes that ribbons are registered to, and the matching of ribbons with them.
+class PlaneLandmarks {
+ public:
+  /// Creates landmarks from planes: each has the index of its plane. `ribbon_at` returns the member
+  /// of an index in the frame of the planes. Ribbons are near a landmark within `reach_m` of its
+  /// members.
+  PlaneLandmarks(const std::vector<Hypothesis>& planes,
+                 const std::function<PosedRibbon(std::uint32_t)>& ribbon_at, double reach_m,
+                 const RegistrationConfig& config);
+
+  /// Returns the indices of the landmarks that a ribbon nearly touches.
+  std::vector<std::uint32_t> landmarks_near(const PosedRibbon& ribbon);
+
+  /// Matches as LandmarkMatcher::measure() does.
+  PoseInformation measure(const std::vector<PlaneObservation>& observations,
+                          const PoseBelief& without_them) const {
+    return LandmarkMatcher(landmarks_, config_).measure(observations, without_them);
+  }
+  /// Matches as LandmarkMatcher::matches() does.
+  std::vector<LandmarkMatch> matches(const std::vector<PlaneObservation>& observations,
+                                     const PoseBelief& belief) const {
+    return LandmarkMatcher(landmarks_, config_).matches(observations, belief);
+  }
+
+  /// Lets a landmark be found near another ribbon of its plane.
+  void extend(std::uint32_t landmark, const PosedRibbon& ribbon);
+
+  /// Returns all landmarks by index.
+  const std::vector<PlaneLandmark>& all() const { return landmarks_; }
+
+ private:
+  void add(const Hypothesis& plane, const std::function<PosedRibbon(std::uint32_t)>& ribbon_at);
   RegistrationConfig config_;
   std::vector<PlaneLandmark> landmarks_;
   VoxelIndex index_;

@@ -184,7 +184,10 @@ void Registration::run_round() {
   const std::vector<UnassignedPoints> no_unassigned;
   const PosedObservations observations(ribbons_, no_unassigned, poses());
   T_map_model_ = observations.T_map_model();
-  PlaneLandmarks landmarks(observations, lines_, config_, shared_);
+  PlaneLandmarks landmarks(
+      supported_planes(observations, lines_, config_, shared_),
+      [&](std::uint32_t ribbon) { return observations.ribbon(ribbon); }, shared_.bridged_gap_m,
+      config_);
   find_candidates(observations, landmarks);
   std::vector<ObservingSegment> segments;
   for (const TrajectorySegment& segment : segments_) {

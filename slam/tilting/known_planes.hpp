@@ -1,0 +1,35 @@
+// SPDX-FileCopyrightText: 2026 ribbon_mapper authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "modeler/association/plane_map.hpp"
+#include "modeler/registration/plane_landmarks.hpp"
+#include "slam/tilting/estimate_config.hpp"
+#include "slam/tilting/posed_lines.hpp"
+
+namespace ribbon_mapper::slam {
+
+/// The planes of some lines at their poses, as landmarks for others.
+class KnownPlanes {
+ public:
+  /// Associates the ribbons of lines, in their order. Planes of fewer than
+  /// RegistrationConfig::min_ribbons ribbons are no landmarks. `lines` must outlive this.
+  KnownPlanes(const PosedLines& lines, const std::vector<std::uint32_t>& indices,
+              const AssociationGates& gates, const EstimateSettings& settings);
+
+  /// Returns the landmarks and their matching.
+  PlaneLandmarks& landmarks() { return landmarks_; }
+  /// Returns the landmarks and their matching.
+  const PlaneLandmarks& landmarks() const { return landmarks_; }
+  /// Returns the planes, by landmark.
+  const std::vector<Hypothesis>& planes() const { return planes_; }
+
+ private:
+  std::vector<Hypothesis> planes_;
+  PlaneLandmarks landmarks_;
+};
+
+}  // namespace ribbon_mapper::slam
