@@ -2,28 +2,15 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <time.h>
-
 #include <algorithm>
 #include <cstddef>
 #include <vector>
 
+#include "modeler/program/stopwatch.hpp"
+
 namespace ribbon_mapper::bench {
 
-/// Returns the CPU time of this thread [s], which other processes do not affect.
-inline double cpu_seconds() {
-  timespec now{};
-  clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now);
-  return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
-}
-
-/// Calls `work` and returns its CPU time [s].
-template <typename Work>
-double cpu_seconds_of(const Work& work) {
-  const double start = cpu_seconds();
-  work();
-  return cpu_seconds() - start;
-}
+using ribbon_mapper::cpu_seconds_of;
 
 /// Returns the value at a quantile by nearest rank; `share` 0.5 is the median. `values` must not be
 /// empty.

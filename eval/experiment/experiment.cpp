@@ -3,16 +3,15 @@
 #include "eval/experiment/experiment.hpp"
 
 #include <algorithm>
-#include <cstdio>
 
 #include "eval/experiment/scan_conversion.hpp"
+#include "eval/experiment/self_closure.hpp"
 #include "eval/metrics/point_truth.hpp"
 #include "eval/metrics/statistics.hpp"
 #include "eval/results/world_outlines.hpp"
 #include "modeler/modeler.hpp"
 #include "modeler/program/stopwatch.hpp"
 #include "sim/truth/truth.hpp"
-#include "slam/tilting/trajectory_estimate.hpp"
 
 namespace ribbon_mapper::eval {
 namespace {
@@ -21,7 +20,6 @@ namespace {
 struct LineLog {
   std::size_t dropped = 0;
   double total_s = 0.0;
-  double estimate_s = 0.0, max_estimate_s = 0.0;
   std::vector<double> line_s;
 };
 
@@ -38,18 +36,7 @@ struct Truth {
   PointTruth points;
 };
 
-/// Gives the newest lines of the model to the estimate.
-void follow(const Observations& observations, slam::TrajectoryEstimate& estimate, LineLog& log) {
-  const TrackedPoses& recorded = observations.trajectory().recorded();
-  while (estimate.line_count() < recorded.size()) {
-    const TrackedPose line = recorded[estimate.line_count()];
-    const double s = thread_seconds_of([&] { estimate.add_line(line.in_map.stamp, line.T_odom_base); });
-    log.estimate_s += s;
-    log.max_estimate_s = std::max(log.max_estimate_s, s);
-  }
-}
-
-LineLog drive(sim::Tour& tour, Modeler& modeler, slam::TrajectoryEstimate* estimate, Truth& truth,
+LineLog drive(sim::Tour& tour, Modeler& modeler, SelfClosure* closure, Truth& truth,
               const ProgressCallback& progress) {
   LineLog log;
   while (const std::optional<sim::Scan> scan = tour.next_scan()) {
@@ -58,7 +45,7 @@ LineLog drive(sim::Tour& tour, Modeler& modeler, slam::TrajectoryEstimate* estim
     LineResult result = LineResult::modelled;
     log.line_s.push_back(wall_seconds_of([&] { result = modeler.add_scan_line(beams, poses); }));
     log.total_s += log.line_s.back();
-    if (estimate != nullptr) follow(modeler.observations(), *estimate, log);
+    if (closure != nullptr) closure->update();
     log.dropped += is_dropped(result) ? 1 : 0;
     truth.add(*scan);
     progress({log.line_s.size(), tour.line_count(), modeler.statistics().ribbons,
@@ -71,10 +58,6 @@ LineLog drive(sim::Tour& tour, Modeler& modeler, slam::TrajectoryEstimate* estim
 std::vector<StampedPose> true_poses(const sim::Tour& tour, std::vector<StampedPose> trajectory) {
   for (StampedPose& pose : trajectory) pose.T_map_base = tour.true_T_map_base(pose.stamp);
   return trajectory;
-}
-
-slam::EstimateSettings estimate_settings(const ModelerConfig& config) {
-  return {{}, config.registration, {config.scan.range_sigma_m, config.association.corrected, config.surface.bridged_gap_m}};
 }
 
 std::vector<Patch> patches_of(const std::vector<sim::TruthPlane>& planes) {
@@ -110,11 +93,9 @@ Results run_experiment(const sim::World& world, const sim::Route& route,
   sim::Tour tour(world, route, tour_config);
   Modeler modeler(modeler_config);
   Truth truth(world);
-  std::optional<slam::TrajectoryEstimate> estimate;
-  if (closure == Closure::self) {
-    estimate.emplace(modeler.observations(), estimate_settings(modeler_config));
-  }
-  LineLog log = drive(tour, modeler, estimate ? &*estimate : nullptr, truth, progress);
+  std::optional<SelfClosure> self;
+  if (closure == Closure::self) self.emplace(modeler, modeler_config);
+  const LineLog log = drive(tour, modeler, self ? &*self : nullptr, truth, progress);
 
   Results results;
   results.summary = summary_of(log, tour, modeler);
@@ -127,30 +108,9 @@ Results run_experiment(const sim::World& world, const sim::Route& route,
   results.trajectory_before = modeler.trajectory();
   results.trajectory_truth = true_poses(tour, modeler.trajectory());
 
-  std::vector<StampedPose> corrected = results.trajectory_truth;
-  if (estimate) {
-    const auto print = [&](const char* what) {
-      const auto t = estimate->trajectory();
-      double sum = 0, most = 0, head = 0, yaw = 0;
-      const Pose T_map_odom = tour.true_T_map_base(Time(0)) * tour.T_odom_base(Time(0)).inverse();
-      for (std::size_t i = 0; i < t.size(); ++i) {
-        const Pose error = results.trajectory_truth[i].T_map_base.inverse() * (T_map_odom * t[i].T_map_base);
-        sum += error.translation().squaredNorm();
-        most = std::max(most, error.translation().norm());
-        head += std::pow(angle_of(error), 2);
-        yaw += yaw_of(error) / static_cast<double>(t.size());
-      }
-      std::fprintf(stderr, "%s rmse %.4f max %.4f head_deg %.3f mean_yaw %.3f\n", what, std::sqrt(sum / t.size()), most,
-                   std::sqrt(head / t.size()) * 57.2958, yaw * 57.2958);
-    };
-    print("tracked");
-    const double finish_s = thread_seconds_of([&] { estimate->finish(); });
-    print("final");
-    std::fprintf(stderr, "estimate %.2f s, worst line %.3f s, finish %.2f s, tour %.1f s, scale %.2f\n", log.estimate_s, log.max_estimate_s, finish_s, to_seconds(tour.duration()), estimate->noise_scale());
-    corrected = estimate->trajectory();
-    const Pose T_map_odom = tour.true_T_map_base(Time(0)) * tour.T_odom_base(Time(0)).inverse();
-    for (auto& pose : corrected) pose.T_map_base = T_map_odom * pose.T_map_base;
-  }
+  const std::vector<StampedPose> corrected =
+      self ? self->finish(tour) : results.trajectory_truth;
+  if (self) results.summary.estimate = self->summary(corrected, results.trajectory_truth);
   results.summary.correction_ms = 1e3 * wall_seconds_of([&] { modeler.correct(corrected); });
   results.models.corrected_as_built = modeler.planes_as_built();
   results.models.corrected = modeler.planes();

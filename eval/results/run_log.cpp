@@ -29,6 +29,7 @@ RunOptions run_of(const Json& json) {
   run.config = json.at("config").get<std::string>();
   run.noise = json.at("noise").get<std::string>();
   run.tilt = json.at("tilt").get<std::string>();
+  run.closure = json.value("closure", run.closure);
   run.caster = json.value("caster", run.caster);
   run.visuals = json.value("visuals", run.visuals);
   run.beams = optional_of<int>(json.at("beams"));

@@ -122,7 +122,7 @@ nlohmann::ordered_json distribution_json(const std::vector<LoggedRun>& group) {
 nlohmann::ordered_json group_json(const std::vector<LoggedRun>& group) {
   const auto line = nlohmann::ordered_json::parse(group.front().line);
   nlohmann::ordered_json json;
-  for (const char* key : {"world", "route", "config", "noise", "tilt", "caster", "beams",
+  for (const char* key : {"world", "route", "config", "noise", "tilt", "closure", "caster", "beams",
                           "speed_m_s", "deskew", "drift"}) {
     json[key] = line.at(key);
   }

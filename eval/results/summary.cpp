@@ -127,6 +127,7 @@ Json to_json(const RunOptions& run) {
             {"config", text_or_null(run.config)},
             {"noise", text_or_null(run.noise)},
             {"tilt", text_or_null(run.tilt)},
+            {"closure", text_or_null(run.closure)},
             {"caster", text_or_null(run.caster)},
             {"beams", value_or_null(run.beams)},
             {"speed_m_s", value_or_null(run.speed_m_s)},
@@ -138,9 +139,34 @@ Json to_json(const RunOptions& run) {
 }
 
 Json times_of(const Summary& s) {
-  return {{"us_per_line", s.us_per_line},
-          {"correction_ms", s.correction_ms},
-          {"real_time_factor", s.real_time_factor}};
+  Json json{{"us_per_line", s.us_per_line},
+            {"correction_ms", s.correction_ms},
+            {"real_time_factor", s.real_time_factor}};
+  if (s.estimate) {
+    json["estimate_updates_s"] = s.estimate->updates_s;
+    json["estimate_longest_update_s"] = s.estimate->longest_update_s;
+    json["estimate_finish_s"] = s.estimate->finish_s;
+  }
+  return json;
+}
+
+Json to_json(const EstimateSummary& estimate) {
+  return {{"rmse_m", estimate.error.rmse_m},
+          {"largest_m", estimate.error.largest_m},
+          {"rmse_deg", estimate.error.rmse_deg},
+          {"aligned_rmse_m", estimate.error.aligned_rmse_m},
+          {"noise_scale", estimate.noise_scale}};
+}
+
+std::string estimate_text(const EstimateSummary& estimate) {
+  const TrajectoryError& e = estimate.error;
+  return format(
+      "trajectory estimated without truth: position %.1f cm RMS (largest %.1f; aligned %.1f), "
+      "heading %.2f deg; odometry %.1f x gmapping's noise; %.1f s for all lines (longest %.0f ms), "
+      "%.1f s at the end\n",
+      100.0 * e.rmse_m, 100.0 * e.largest_m, 100.0 * e.aligned_rmse_m, e.rmse_deg,
+      estimate.noise_scale, estimate.updates_s, 1e3 * estimate.longest_update_s,
+      estimate.finish_s);
 }
 
 /// Returns the figures without the times.
@@ -161,6 +187,7 @@ Json figures_of(const Summary& s) {
                {"ribbon_distance_m", to_json(s.ribbon_distance_m)},
                {"end_drift_m", s.end_drift_m},
                {"end_drift_deg", s.end_drift_deg}});
+  if (s.estimate) json["estimate"] = to_json(*s.estimate);
   return json;
 }
 
@@ -203,7 +230,8 @@ std::string summary_table(const Summary& s) {
              "drift "
              "%.2f m and %.1f deg; corrected in %.0f ms\n",
              s.lines, s.dropped_lines, s.ribbons, s.us_per_line, s.real_time_factor, s.end_drift_m,
-             s.end_drift_deg, s.correction_ms);
+             s.end_drift_deg, s.correction_ms) +
+         (s.estimate ? estimate_text(*s.estimate) : "");
 }
 
 }  // namespace ribbon_mapper::eval

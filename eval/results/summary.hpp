@@ -9,12 +9,22 @@
 #include "eval/experiment/run_options.hpp"
 #include "eval/metrics/map_metrics.hpp"
 #include "eval/metrics/point_metrics.hpp"
+#include "eval/metrics/trajectory_error.hpp"
 #include "eval/results/four_models.hpp"
 
 namespace ribbon_mapper::eval {
 
 /// The metrics of each of the four models.
 using FourMetrics = PerModel<MapMetrics>;
+
+/// Errors and times of an estimate of the trajectory without ground truth.
+struct EstimateSummary {
+  TrajectoryError error;          ///< of the final trajectory
+  double noise_scale = 1.0;       ///< learnt for the odometry, as a multiple of gmapping's
+  double updates_s = 0.0;         ///< computing time of all lines
+  double longest_update_s = 0.0;  ///< computing time of the line that took longest
+  double finish_s = 0.0;          ///< computing time of the final adjustment
+};
 
 /// Metrics and times of one run, whether in one process or over ROS.
 struct Summary {
@@ -27,6 +37,8 @@ struct Summary {
   FourMetrics metrics;            ///< by planes
   /// By points, against the face that each beam hit; empty over ROS, where beams have no labels.
   std::optional<PerModel<PointMetrics>> points;
+
+  std::optional<EstimateSummary> estimate;  ///< with RunOptions::closure `self`
 
   /// Median angle between ribbons' normals and the true ones, at corrected poses.
   std::optional<double> ribbon_angle_deg;

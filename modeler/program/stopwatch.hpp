@@ -16,9 +16,9 @@ double wall_seconds_of(const Work& work) {
   return std::chrono::duration<double>(Clock::now() - start).count();
 }
 
-/// Calls `work` and returns how long this thread computed [s].
+/// Calls `work` and returns the CPU time of this thread [s], which other processes do not affect.
 template <typename Work>
-double thread_seconds_of(const Work& work) {
+double cpu_seconds_of(const Work& work) {
   const auto now = [] {
     timespec time{};
     clock_gettime(CLOCK_THREAD_CPUTIME_ID, &time);

@@ -11,7 +11,7 @@ std::vector<Hypothesis> planes_of(const PosedLines& lines,
                                   const EstimateSettings& settings) {
   PlaneMap map(settings.shared.bridged_gap_m, gates);
   for (const std::uint32_t line : indices) {
-    const Pose T_start_base = lines.pose(line);
+    const Pose T_start_base = lines.T_start_base(line);
     for (std::uint32_t i = lines.first_ribbon(line); i < lines.first_ribbon(line + 1); ++i) {
       map.add({lines.ribbon(i), T_start_base}, i);
     }

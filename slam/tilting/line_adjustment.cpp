@@ -12,156 +12,179 @@
 namespace ribbon_mapper::slam {
 namespace {
 
-/// The ribbons of some lines with the landmark of each.
-struct Matches {
-  std::vector<std::vector<PlaneObservation>> observations;  // by line
-  std::vector<std::vector<LandmarkMatch>> matches;          // by line
-};
-
 constexpr std::uint32_t kNone = std::numeric_limits<std::uint32_t>::max();
+
+/// Returns a belief at a pose whose gates are two standard deviations.
+PoseBelief belief_within(const Pose& T_start_base, const AssociationGates& gates) {
+  const double distance = square(0.5 * gates.distance_m);
+  const double angle = square(0.5 * gates.angle_deg * kDegree);
+  PoseBelief belief{T_start_base, Matrix6::Zero()};
+  belief.covariance.diagonal() << distance, distance, distance, angle, angle, angle;
+  return belief;
+}
 
 class Adjustment {
  public:
   Adjustment(PosedLines& lines, const AdjustedLines& which, const OdometryNoise& noise,
-             const EstimateSettings& settings)
-      : lines_(lines),
-        which_(which),
-        noise_(noise),
-        settings_(settings),
-        ranges_{settings.shared.range_sigma_m, settings.registration.shared_sigma_ratio},
-        known_(lines, which.context, settings.estimate.window_gates.back(), settings) {
-    list_known_lines();
-    for (std::uint32_t i = which.first; i < which.end; ++i) {
-      observations_.push_back(lines.observations(i, noise, ranges_));
-    }
-  }
-
-  void run_round(const AssociationGates& gates) {
-    landmarks_ = known_.landmarks().all();
-    std::vector<ObservingSegment> segments{{segment(), {}}};
-    std::vector<ObservingLine>& observing = segments.front().lines;
-    for (std::uint32_t i = which_.first; i < which_.end; ++i) observing.push_back(known_matches(i, gates));
-    loose_lines_ = known_lines_;
-    add_new_planes(gates, observing);
-    for (int i = 0; i < settings_.estimate.steps_per_round; ++i) {
-      adjust(loose_lines_, segments, landmarks_, settings_.registration.robust_sigmas);
-    }
-    for (std::uint32_t i = which_.first; i < which_.end; ++i) {
-      lines_.set_pose(i, observing[i - which_.first].T_model_base);
-    }
-  }
+             const EstimateSettings& settings);
+  void run_round(const AssociationGates& gates);
 
  private:
-  /// Lists the ribbons of the context with the known planes that they belong to.
-  void list_known_lines() {
-    std::vector<std::uint32_t> plane_of(lines_.ribbon_count(which_.first), kNone);
-    for (std::uint32_t plane = 0; plane < known_.planes().size(); ++plane) {
-      for (const Member& member : known_.planes()[plane].members()) plane_of[member.ribbon] = plane;
-    }
-    for (const std::uint32_t line : which_.context) {
-      known_observations_.push_back(lines_.observations(line, noise_, ranges_));
-      known_lines_.push_back({lines_.pose(line), {}});
-      for (std::uint32_t i = lines_.first_ribbon(line); i < lines_.first_ribbon(line + 1); ++i) {
-        const PlaneObservation& observation = known_observations_.back()[i - lines_.first_ribbon(line)];
-        if (plane_of[i] != kNone) known_lines_.back().matches.push_back({&observation, plane_of[i]});
-        else loose_.push_back({i, known_lines_.size() - 1, &observation});
-      }
-    }
-  }
-
-  TrajectorySegment segment() const {
-    TrajectorySegment segment;
-    segment.first_line = which_.first, segment.end_line = which_.end;
-    for (std::uint32_t i = which_.first; i < which_.end; ++i) segment.steps.push_back(lines_.step(i));
-    segment.steps.push_back(Pose::Identity());
-    set_step_variances(noise_, segment);
-    segment.T_frame_start = lines_.pose(which_.first - 1);
-    return segment;
-  }
-
-  ObservingLine known_matches(std::uint32_t line, const AssociationGates& gates) {
-    ObservingLine result{lines_.pose(line), {}};
-    if (landmarks_.empty()) return result;
-    PoseBelief belief{result.T_model_base, Matrix6::Zero()};
-    const double distance = square(0.5 * gates.distance_m), angle = square(0.5 * gates.angle_deg * kDegree);
-    belief.covariance.diagonal() << distance, distance, distance, angle, angle, angle;
-    std::vector<PlaneObservation>& observations = observations_[line - which_.first];
-    for (std::size_t i = 0; i < observations.size(); ++i) {
-      const PosedRibbon ribbon(lines_.ribbon(lines_.first_ribbon(line) + i), result.T_model_base);
-      observations[i].candidates = known_.landmarks().landmarks_near(ribbon);
-    }
-    result.matches = known_.landmarks().matches(observations, belief);
-    return result;
-  }
-
-  /// Gathers ribbons without a match to new planes, which become landmarks.
-  void add_new_planes(const AssociationGates& gates, std::vector<ObservingLine>& observing) {
-    PlaneMap map(settings_.shared.bridged_gap_m, gates);
-    for (const LooseRibbon& loose : loose_) {
-      map.add({lines_.ribbon(loose.ribbon), known_lines_[loose.line].T_model_base}, loose.ribbon);
-    }
-    for (std::uint32_t line = which_.first; line < which_.end; ++line) {
-      const ObservingLine& known = observing[line - which_.first];
-      const std::vector<PlaneObservation>& observations = observations_[line - which_.first];
-      auto match = known.matches.begin();
-      for (std::size_t i = 0; i < observations.size(); ++i) {
-        if (match != known.matches.end() && match->observation == &observations[i]) {
-          ++match;
-          continue;
-        }
-        const auto index = static_cast<std::uint32_t>(lines_.first_ribbon(line) + i);
-        map.add({lines_.ribbon(index), known.T_model_base}, index);
-      }
-    }
-    for (const Hypothesis& plane : map.merged_hypotheses()) {
-      if (plane.members().size() < static_cast<std::size_t>(settings_.registration.min_ribbons)) continue;
-      const auto landmark = static_cast<std::uint32_t>(landmarks_.size());
-      landmarks_.push_back(landmark_of(plane));
-      for (const Member& member : plane.members()) {
-        const std::uint32_t line = lines_.ribbon(member.ribbon).pose;
-        if (line < which_.first) {
-          const auto loose = std::lower_bound(
-              loose_.begin(), loose_.end(), member.ribbon,
-              [](const LooseRibbon& a, std::uint32_t b) { return a.ribbon < b; });
-          loose_lines_.push_back({known_lines_[loose->line].T_model_base, {{loose->observation, landmark}}});
-          continue;
-        }
-        const PlaneObservation& observation =
-            observations_[line - which_.first][member.ribbon - lines_.first_ribbon(line)];
-        observing[line - which_.first].matches.push_back({&observation, landmark});
-      }
-    }
-  }
-
   /// A ribbon of the context that belongs to no known plane.
   struct LooseRibbon {
     std::uint32_t ribbon;
-    std::size_t line;
+    std::size_t line;  // in the context
     const PlaneObservation* observation;
   };
+  /// What is adjusted in a round.
+  struct Round {
+    std::vector<PlaneLandmark> landmarks;
+    std::vector<ObservingLine> context;
+    std::vector<ObservingLine> lines;
+  };
+
+  void list_context(const OdometryNoise& noise, const RangeNoise& ranges);
+  TrajectorySegment segment() const;
+  ObservingLine matched_with_known(std::uint32_t line, const AssociationGates& gates);
+  PlaneMap map_of_others(const AssociationGates& gates, const Round& round) const;
+  void match_others(const AssociationGates& gates, Round& round) const;
+  const PlaneObservation& observation_of(std::uint32_t ribbon) const;
+  std::size_t index_of(std::uint32_t line) const { return line - which_.first; }
 
   PosedLines& lines_;
   const AdjustedLines& which_;
-  const OdometryNoise& noise_;
   const EstimateSettings& settings_;
-  RangeNoise ranges_;
+  const OdometryNoise& noise_;
   KnownPlanes known_;
-  std::vector<std::vector<PlaneObservation>> known_observations_;  // by line of the context
-  std::vector<ObservingLine> known_lines_;
-  std::vector<ObservingLine> loose_lines_;
-  std::vector<LooseRibbon> loose_;  // ascending
-  std::vector<std::vector<PlaneObservation>> observations_;  // by adjusted line
-  std::vector<PlaneLandmark> landmarks_;                     // of the round
+  std::vector<std::vector<PlaneObservation>> of_context_;  // by line of the context
+  std::vector<ObservingLine> context_;                     // with matches of known planes
+  std::vector<LooseRibbon> loose_;                         // in the order of the ribbons
+  std::vector<std::vector<PlaneObservation>> of_lines_;    // by adjusted line
 };
+
+Adjustment::Adjustment(PosedLines& lines, const AdjustedLines& which, const OdometryNoise& noise,
+                       const EstimateSettings& settings)
+    : lines_(lines),
+      which_(which),
+      settings_(settings),
+      noise_(noise),
+      known_(lines, which.context, settings.estimate.gates.back(), settings) {
+  const RangeNoise ranges = settings.range_noise();
+  list_context(noise, ranges);
+  for (std::uint32_t i = which.first; i < which.end; ++i) {
+    of_lines_.push_back(lines.measured(i, noise, ranges));
+  }
+}
+
+void Adjustment::list_context(const OdometryNoise& noise, const RangeNoise& ranges) {
+  std::vector<std::uint32_t> plane_of(lines_.first_ribbon(which_.first), kNone);
+  for (std::uint32_t plane = 0; plane < known_.planes().size(); ++plane) {
+    for (const Member& member : known_.planes()[plane].members()) plane_of[member.ribbon] = plane;
+  }
+  for (const std::uint32_t line : which_.context) {
+    of_context_.push_back(lines_.measured(line, noise, ranges));
+    context_.push_back({lines_.T_start_base(line), {}});
+    const std::uint32_t first = lines_.first_ribbon(line);
+    for (std::uint32_t i = first; i < lines_.first_ribbon(line + 1); ++i) {
+      const PlaneObservation& observation = of_context_.back()[i - first];
+      if (plane_of[i] == kNone)
+        loose_.push_back({i, context_.size() - 1, &observation});
+      else
+        context_.back().matches.push_back({&observation, plane_of[i]});
+    }
+  }
+}
+
+TrajectorySegment Adjustment::segment() const {
+  TrajectorySegment segment;
+  segment.first_line = which_.first, segment.end_line = which_.end;
+  for (std::uint32_t i = which_.first; i < which_.end; ++i) segment.steps.push_back(lines_.step(i));
+  segment.steps.push_back(Pose::Identity());  // the end is open
+  set_step_variances(noise_, segment);
+  segment.T_frame_start = lines_.T_start_base(which_.first - 1);
+  return segment;
+}
+
+ObservingLine Adjustment::matched_with_known(std::uint32_t line, const AssociationGates& gates) {
+  const Pose T_start_base = lines_.T_start_base(line);
+  std::vector<PlaneObservation>& observations = of_lines_[index_of(line)];
+  for (std::size_t i = 0; i < observations.size(); ++i) {
+    const PosedRibbon ribbon(lines_.ribbon(lines_.first_ribbon(line) + i), T_start_base);
+    observations[i].candidates = known_.landmarks().landmarks_near(ribbon);
+  }
+  return {T_start_base,
+          known_.landmarks().matches(observations, belief_within(T_start_base, gates))};
+}
+
+/// Returns the planes of all ribbons that are on no known plane.
+PlaneMap Adjustment::map_of_others(const AssociationGates& gates, const Round& round) const {
+  PlaneMap map(settings_.shared.bridged_gap_m, gates);
+  for (const LooseRibbon& loose : loose_) {
+    map.add({lines_.ribbon(loose.ribbon), context_[loose.line].T_model_base}, loose.ribbon);
+  }
+  for (std::uint32_t line = which_.first; line < which_.end; ++line) {
+    const ObservingLine& observing = round.lines[index_of(line)];
+    const std::vector<PlaneObservation>& observations = of_lines_[index_of(line)];
+    auto match = observing.matches.begin();  // in the order of the observations
+    for (std::size_t i = 0; i < observations.size(); ++i) {
+      if (match != observing.matches.end() && match->observation == &observations[i]) {
+        ++match;
+        continue;
+      }
+      const auto index = static_cast<std::uint32_t>(lines_.first_ribbon(line) + i);
+      map.add({lines_.ribbon(index), observing.T_model_base}, index);
+    }
+  }
+  return map;
+}
+
+const PlaneObservation& Adjustment::observation_of(std::uint32_t ribbon) const {
+  const std::uint32_t line = lines_.ribbon(ribbon).pose;
+  return of_lines_[index_of(line)][ribbon - lines_.first_ribbon(line)];
+}
+
+void Adjustment::match_others(const AssociationGates& gates, Round& round) const {
+  const auto min_ribbons = static_cast<std::size_t>(settings_.registration.min_ribbons);
+  for (const Hypothesis& plane : map_of_others(gates, round).merged_hypotheses()) {
+    if (plane.members().size() < min_ribbons) continue;
+    const auto landmark = static_cast<std::uint32_t>(round.landmarks.size());
+    round.landmarks.push_back(landmark_of(plane));
+    for (const Member& member : plane.members()) {
+      const std::uint32_t line = lines_.ribbon(member.ribbon).pose;
+      if (line >= which_.first) {
+        round.lines[index_of(line)].matches.push_back({&observation_of(member.ribbon), landmark});
+        continue;
+      }
+      const auto loose = std::lower_bound(
+          loose_.begin(), loose_.end(), member.ribbon,
+          [](const LooseRibbon& a, std::uint32_t ribbon) { return a.ribbon < ribbon; });
+      round.context[loose->line].matches.push_back({loose->observation, landmark});
+    }
+  }
+}
+
+void Adjustment::run_round(const AssociationGates& gates) {
+  Round round{known_.landmarks().all(), context_, {}};
+  for (std::uint32_t i = which_.first; i < which_.end; ++i) {
+    round.lines.push_back(matched_with_known(i, gates));
+  }
+  match_others(gates, round);
+  std::vector<ObservingSegment> segments{{segment(), std::move(round.lines)}};
+  for (int i = 0; i < settings_.estimate.steps_per_round; ++i) {
+    adjust(round.context, segments, round.landmarks, settings_.registration.robust_sigmas);
+  }
+  for (std::uint32_t i = which_.first; i < which_.end; ++i) {
+    lines_.set_pose(i, segments.front().lines[index_of(i)].T_model_base);
+  }
+}
 
 }  // namespace
 
-void adjust_lines(PosedLines& lines, const AdjustedLines& which,
-                  const std::vector<AssociationGates>& gates, const OdometryNoise& noise,
+void adjust_lines(PosedLines& lines, const AdjustedLines& which, const OdometryNoise& noise,
                   const EstimateSettings& settings) {
   if (which.first >= which.end) return;
   Adjustment adjustment(lines, which, noise, settings);
-  for (const AssociationGates& round : gates) adjustment.run_round(round);
+  for (const AssociationGates& gates : settings.estimate.gates) adjustment.run_round(gates);
 }
 
 }  // namespace ribbon_mapper::slam

@@ -14,13 +14,12 @@ constexpr std::uint32_t kNew = std::numeric_limits<std::uint32_t>::max();
 
 LineTracker::LineTracker(const EstimateSettings& settings)
     : settings_(settings),
-      range_noise_{settings.shared.range_sigma_m, settings.registration.shared_sigma_ratio},
-      new_planes_(settings.shared.bridged_gap_m, settings.estimate.window_gates.back()) {}
+      new_planes_(settings.shared.bridged_gap_m, settings.estimate.gates.back()) {}
 
 void LineTracker::restart(KnownPlanes planes, const PoseBelief& belief) {
   known_ = std::move(planes);
   belief_ = belief;
-  new_planes_ = PlaneMap(settings_.shared.bridged_gap_m, settings_.estimate.window_gates.back());
+  new_planes_ = PlaneMap(settings_.shared.bridged_gap_m, settings_.estimate.gates.back());
 }
 
 void LineTracker::list_candidates(const PosedLines& lines, std::uint32_t line) {
@@ -67,7 +66,7 @@ void LineTracker::add_ribbons(const PosedLines& lines, std::uint32_t line) {
 void LineTracker::track(PosedLines& lines, std::uint32_t line, const OdometryNoise& noise) {
   const Pose step = lines.step(line);
   if (line > 0) belief_ = after_step(belief_, step, noise.variances(step));
-  observations_ = lines.observations(line, noise, range_noise_);
+  observations_ = lines.measured(line, noise, settings_.range_noise());
   list_candidates(lines, line);
   if (line > 0) {
     const LandmarkMatcher matcher(landmarks_, settings_.registration);

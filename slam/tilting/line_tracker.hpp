@@ -31,7 +31,6 @@ class LineTracker {
   void add_ribbons(const PosedLines& lines, std::uint32_t line);
 
   EstimateSettings settings_;
-  RangeNoise range_noise_;
   PoseBelief belief_;
   std::optional<KnownPlanes> known_;
   PlaneMap new_planes_;

@@ -40,10 +40,10 @@ double NoiseScale::planar_scale() const {
 void NoiseScale::learn(const PosedLines& lines, std::uint32_t first, std::uint32_t end) {
   std::uint32_t start = first;
   for (std::uint32_t i = first; i < end; ++i) {
-    if (to_seconds(lines.stamp(i) - lines.stamp(start)) < kSpan_s) continue;
+    if (lines.seconds_between(start, i) < kSpan_s) continue;
     TrajectorySegment span;
     for (std::uint32_t k = start + 1; k <= i; ++k) span.steps.push_back(lines.step(k));
-    span.T_frame_start = lines.pose(start), span.T_frame_end = lines.pose(i);
+    span.T_frame_start = lines.T_start_base(start), span.T_frame_end = lines.T_start_base(i);
     start = i;
     if (is_still(span)) continue;
     const double scale = fitted_noise({span}).planar_scale;

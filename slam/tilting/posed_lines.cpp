@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "slam/tilting/posed_lines.hpp"
 
+#include <algorithm>
+
 namespace ribbon_mapper::slam {
 namespace {
 
@@ -10,29 +12,51 @@ constexpr double kMeanBeamOffset = 0.25;
 
 }  // namespace
 
-void PosedLines::add(Time stamp, const Pose& T_odom_base, const Pose& T_start_base) {
-  stamps_.push_back(stamp);
-  T_odom_base_.push_back(T_odom_base);
-  T_start_base_.push_back(T_start_base);
+bool PosedLines::keep_in_step() {
+  const std::vector<Ribbon>& ribbons = observations_->ribbons();
+  const bool is_thinned = ribbons.size() < ribbons_seen_;
+  ribbons_seen_ = ribbons.size();
+  if (!is_thinned) return false;
+  const std::vector<Time>& stamps = observations_->trajectory().recorded().stamps();
+  std::vector<std::uint32_t> kept;
+  for (std::uint32_t line = 0; line < size(); ++line) {
+    if (std::binary_search(stamps.begin(), stamps.end(), stamps_[line])) kept.push_back(line);
+  }
+  T_start_base_.keep(kept);
+  stamps_.assign(stamps.begin(), stamps.begin() + static_cast<std::ptrdiff_t>(kept.size()));
+  first_ribbons_.assign(1, 0);
+  for (std::uint32_t line = 0; line < size(); ++line) first_ribbons_.push_back(end_of_line(line));
+  return true;
+}
+
+std::uint32_t PosedLines::end_of_line(std::uint32_t line) const {
+  const std::vector<Ribbon>& ribbons = observations_->ribbons();
   std::uint32_t end = first_ribbons_.back();
-  while (end < ribbons_->size() && (*ribbons_)[end].pose + 1 == stamps_.size()) ++end;
-  first_ribbons_.push_back(end);
+  while (end < ribbons.size() && ribbons[end].pose == line) ++end;
+  return end;
+}
+
+void PosedLines::add_next() {
+  const std::uint32_t line = size();
+  stamps_.push_back(observations_->trajectory().recorded().stamps()[line]);
+  T_start_base_.push_back(Pose::Identity());
+  first_ribbons_.push_back(end_of_line(line));
 }
 
 Pose PosedLines::step(std::size_t line) const {
   if (line == 0) return Pose::Identity();
-  return T_odom_base_[line - 1].inverse(Eigen::Isometry) * T_odom_base_[line];
+  return T_odom_base(line - 1).inverse(Eigen::Isometry) * T_odom_base(line);
 }
 
-std::vector<PlaneObservation> PosedLines::observations(std::size_t line, const OdometryNoise& noise,
-                                                       const RangeNoise& ranges) const {
+std::vector<PlaneObservation> PosedLines::measured(std::size_t line, const OdometryNoise& noise,
+                                                   const RangeNoise& ranges) const {
   const Vector6 motion = kMeanBeamOffset * noise.variances(step(line));
-  std::vector<PlaneObservation> observations;
-  observations.reserve(first_ribbons_[line + 1] - first_ribbons_[line]);
+  std::vector<PlaneObservation> result;
+  result.reserve(first_ribbons_[line + 1] - first_ribbons_[line]);
   for (std::uint32_t i = first_ribbons_[line]; i < first_ribbons_[line + 1]; ++i) {
-    observations.emplace_back(ribbon(i), ranges, motion);
+    result.emplace_back(ribbon(i), ranges, motion);
   }
-  return observations;
+  return result;
 }
 
 }  // namespace ribbon_mapper::slam

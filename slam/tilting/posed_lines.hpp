@@ -6,52 +6,71 @@
 #include <vector>
 
 #include "modeler/geometry/packed_poses.hpp"
+#include "modeler/observations/observations.hpp"
 #include "modeler/observations/posed_ribbon.hpp"
 #include "modeler/registration/odometry_noise.hpp"
 #include "modeler/registration/plane_observation.hpp"
 
 namespace ribbon_mapper::slam {
 
-/// Lines with their ribbons, their poses by odometry and their estimated poses. The frame of the
-/// estimate is called `start`: the pose of the first line.
+/// The lines of some observations with their estimated poses, in a frame called `start`: that of the
+/// first line.
+///
+/// Besides the observations, a line takes 68 bytes.
 class PosedLines {
  public:
-  /// Refers to ribbons in the order of their lines, which must outlive this.
-  explicit PosedLines(const std::vector<Ribbon>& ribbons) : ribbons_(&ribbons) {}
+  /// Starts without lines. `observations` must outlive this.
+  explicit PosedLines(const Observations& observations) : observations_(&observations) {}
 
-  /// Appends a line whose ribbons are those from the last line's on.
-  void add(Time stamp, const Pose& T_odom_base, const Pose& T_start_base);
+  /// Follows observations that were thinned since: forgets the lines that they have no longer. Must
+  /// be called before lines are added. Returns true if they were thinned.
+  bool keep_in_step();
+  /// Returns true if the observations have a line that was not added yet.
+  bool has_next() const { return stamps_.size() < observations_->trajectory().size(); }
+  /// Adds the next line of the observations, at the origin of `start`.
+  void add_next();
   /// Replaces the estimated pose of a line.
-  void set_pose(std::size_t line, const Pose& T_start_base) { T_start_base_.set(line, T_start_base); }
+  void set_pose(std::size_t line, const Pose& T_start_base) {
+    T_start_base_.set(line, T_start_base);
+  }
 
   /// Returns the number of lines.
   std::uint32_t size() const { return static_cast<std::uint32_t>(stamps_.size()); }
   /// Returns the stamp of a line.
   Time stamp(std::size_t line) const { return stamps_[line]; }
+  /// Returns the time from one line to another [s].
+  double seconds_between(std::size_t from, std::size_t to) const {
+    return to_seconds(stamps_[to] - stamps_[from]);
+  }
   /// Returns the estimated pose of a line.
-  Pose pose(std::size_t line) const { return T_start_base_[line]; }
-  /// Returns the motion of the base by odometry from the line before to this one; none at the first.
+  Pose T_start_base(std::size_t line) const { return T_start_base_[line]; }
+  /// Returns the pose of a line by odometry.
+  Pose T_odom_base(std::size_t line) const {
+    return observations_->trajectory().recorded().T_odom_base()[line];
+  }
+  /// Returns the motion of the base by odometry from the line before; none at the first line.
   Pose step(std::size_t line) const;
 
-  /// Returns the index of a line's first ribbon; size() gives the number of ribbons.
+  /// Returns the index of a line's first ribbon; that of size() is the number of ribbons.
   std::uint32_t first_ribbon(std::size_t line) const { return first_ribbons_[line]; }
-  /// Returns the number of ribbons of the lines before `line`.
-  std::uint32_t ribbon_count(std::size_t line) const { return first_ribbons_[line]; }
   /// Returns a ribbon.
-  const Ribbon& ribbon(std::size_t index) const { return (*ribbons_)[index]; }
+  const Ribbon& ribbon(std::size_t index) const { return observations_->ribbons()[index]; }
   /// Returns a ribbon at the estimated pose of its line.
   PosedRibbon posed_ribbon(std::size_t index) const {
-    return {ribbon(index), pose(ribbon(index).pose)};
+    return {ribbon(index), T_start_base(ribbon(index).pose)};
   }
   /// Returns what the ribbons of a line measure, in their order.
-  std::vector<PlaneObservation> observations(std::size_t line, const OdometryNoise& noise,
-                                             const RangeNoise& ranges) const;
+  std::vector<PlaneObservation> measured(std::size_t line, const OdometryNoise& noise,
+                                         const RangeNoise& ranges) const;
 
  private:
-  const std::vector<Ribbon>* ribbons_;
+  std::uint32_t end_of_line(std::uint32_t line) const;
+
+  const Observations* observations_;
   std::vector<Time> stamps_;
-  PackedPoses T_odom_base_, T_start_base_;
-  std::vector<std::uint32_t> first_ribbons_{0};  // of each line, and the end
+  PackedPoses T_start_base_;
+  std::vector<std::uint32_t> first_ribbons_{0};  // of each line, and their number
+  std::size_t ribbons_seen_ = 0;
 };
 
 }  // namespace ribbon_mapper::slam

@@ -2,80 +2,112 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "slam/tilting/trajectory_estimate.hpp"
 
+#include <algorithm>
+
 #include "modeler/geometry/square.hpp"
 #include "slam/tilting/line_adjustment.hpp"
 
 namespace ribbon_mapper::slam {
+namespace {
+
+// The robot hardly moves within so many lines (half a second at 40 Hz): one stands for all.
+constexpr std::uint32_t kLinesOfPlace = 20;
+// Wheels keep the base on the floor: out of the plane, its odometry errs by a hundredth of what
+// gmapping assumes in the plane. It is the least that fitted_noise() returns.
+constexpr double kSpatialScale = 0.01;
+
+}  // namespace
 
 TrajectoryEstimate::TrajectoryEstimate(const Observations& observations,
                                        const EstimateSettings& settings)
-    : settings_(settings), noise_scale_(settings.estimate.first_noise_scale), lines_(observations.ribbons()), tracker_(settings) {
+    : settings_(settings),
+      noise_scale_(settings.estimate.first_noise_scale),
+      lines_(observations),
+      tracker_(settings) {
   noise_.planar_scale = noise_scale_.planar_scale();
-  noise_.spatial_scale = 0.01;
+  noise_.spatial_scale = kSpatialScale;
 }
 
-bool TrajectoryEstimate::add_line(Time stamp, const Pose& T_odom_base) {
-  if (lines_.size() == 0) T_odom_start_ = T_odom_base;
-  lines_.add(stamp, T_odom_base, Pose::Identity());
-  tracker_.track(lines_, lines_.size() - 1, noise_);
-  const Time since = stamp - lines_.stamp(window_line_);
-  if (to_seconds(since) < settings_.estimate.window_step_s) return false;
-  adjust_window();
-  window_line_ = lines_.size() - 1;
-  return true;
+bool TrajectoryEstimate::update() {
+  if (lines_.keep_in_step()) settled_ = 0;
+  bool is_revised = false;
+  while (lines_.has_next()) {
+    lines_.add_next();
+    const std::uint32_t line = lines_.size() - 1;
+    if (line == 0) T_odom_start_ = lines_.T_odom_base(0), last_window_ = lines_.stamp(0);
+    tracker_.track(lines_, line, noise_);
+    if (to_seconds(lines_.stamp(line) - last_window_) < settings_.estimate.window_step_s) continue;
+    last_window_ = lines_.stamp(line);
+    adjust_window();
+    is_revised = true;
+  }
+  return is_revised;
+}
+
+std::uint32_t TrajectoryEstimate::first_of_window() const {
+  const std::uint32_t last = lines_.size() - 1;
+  std::uint32_t first = last;
+  while (first > 1 && lines_.seconds_between(first - 1, last) < settings_.estimate.window_s) {
+    --first;
+  }
+  return first;
 }
 
 std::vector<std::uint32_t> TrajectoryEstimate::context_of(std::uint32_t first) const {
   std::vector<Eigen::Vector3d> places;
-  for (std::uint32_t i = first; i < lines_.size(); i += 20) places.push_back(lines_.pose(i).translation());
+  for (std::uint32_t i = first; i < lines_.size(); i += kLinesOfPlace) {
+    places.push_back(lines_.T_start_base(i).translation());
+  }
+  const auto is_near = [&](const Eigen::Vector3d& place) {
+    return std::any_of(places.begin(), places.end(), [&](const Eigen::Vector3d& other) {
+      return (place - other).squaredNorm() < square(settings_.estimate.context_radius_m);
+    });
+  };
   std::vector<std::uint32_t> near;
-  bool is_near = false;
-  for (std::uint32_t i = 0; i < first; ++i) {
-    if (i % 20 == 0) {
-      is_near = false;
-      const Eigen::Vector3d place = lines_.pose(i).translation();
-      for (const auto& other : places) {
-        is_near = is_near || (place - other).squaredNorm() < square(settings_.estimate.radius_m);
-      }
-    }
-    if (is_near) near.push_back(i);
+  for (std::uint32_t i = 0; i < first; i += kLinesOfPlace) {
+    if (!is_near(lines_.T_start_base(i).translation())) continue;
+    for (std::uint32_t k = i; k < std::min(first, i + kLinesOfPlace); ++k) near.push_back(k);
   }
   const auto most = static_cast<std::size_t>(settings_.estimate.max_context_lines);
   if (near.size() <= most) return near;
-  std::vector<std::uint32_t> some;
-  for (std::size_t i = 0; i < most; ++i) some.push_back(near[i * near.size() / most]);
-  return some;
+  for (std::size_t i = 0; i < most; ++i) near[i] = near[i * near.size() / most];
+  near.resize(most);
+  return near;
+}
+
+void TrajectoryEstimate::learn_noise(std::uint32_t first_of_window) {
+  if (first_of_window <= settled_ + 1) return;
+  noise_scale_.learn(lines_, settled_, first_of_window);
+  noise_.planar_scale = noise_scale_.planar_scale();
+  settled_ = first_of_window - 1;
 }
 
 void TrajectoryEstimate::adjust_window() {
-  const std::uint32_t end = lines_.size();
-  std::uint32_t first = end - 1;
-  while (first > 1 && to_seconds(lines_.stamp(end - 1) - lines_.stamp(first - 1)) <
-                          settings_.estimate.window_s) {
-    --first;
-  }
-  AdjustedLines which{first, end, context_of(first)};
-  adjust_lines(lines_, which, settings_.estimate.window_gates, noise_, settings_);
-  if (first > settled_ + 1) {
-    noise_scale_.learn(lines_, settled_, first);
-    noise_.planar_scale = noise_scale_.planar_scale();
-    settled_ = first - 1;
-  }
-  for (std::uint32_t i = first; i < end; ++i) which.context.push_back(i);
-  PoseBelief belief = tracker_.belief();
-  belief.T_model_base = lines_.pose(end - 1);
-  tracker_.restart(
-      KnownPlanes(lines_, which.context, settings_.estimate.window_gates.back(), settings_), belief);
+  const std::uint32_t first = first_of_window();
+  AdjustedLines window{first, lines_.size(), context_of(first)};
+  adjust_lines(lines_, window, noise_, settings_);
+  learn_noise(first);
+  restart_tracker(std::move(window.context), first);
+}
+
+/// Lets the tracker go on with the planes of a window that begins at `first`, and of its context.
+void TrajectoryEstimate::restart_tracker(std::vector<std::uint32_t> context, std::uint32_t first) {
+  for (std::uint32_t i = first; i < lines_.size(); ++i) context.push_back(i);
+  tracker_.restart(KnownPlanes(lines_, context, settings_.estimate.gates.back(), settings_),
+                   {lines_.T_start_base(lines_.size() - 1), tracker_.belief().covariance});
 }
 
 void TrajectoryEstimate::finish() {
-  adjust_lines(lines_, {1, lines_.size(), {0}}, settings_.estimate.final_gates, noise_, settings_);
+  if (lines_.size() < 2) return;
+  adjust_lines(lines_, {1, lines_.size(), {0}}, noise_, settings_);
+  restart_tracker(context_of(first_of_window()), first_of_window());
 }
 
 std::vector<StampedPose> TrajectoryEstimate::trajectory() const {
   std::vector<StampedPose> poses;
+  poses.reserve(lines_.size());
   for (std::uint32_t i = 0; i < lines_.size(); ++i) {
-    poses.push_back({lines_.stamp(i), T_odom_start_ * lines_.pose(i)});
+    poses.push_back({lines_.stamp(i), T_odom_start_ * lines_.T_start_base(i)});
   }
   return poses;
 }

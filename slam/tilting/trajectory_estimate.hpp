@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <cstdint>
 #include <vector>
 
 #include "modeler/observations/observations.hpp"
@@ -10,26 +11,40 @@
 
 namespace ribbon_mapper::slam {
 
-/// Estimates the trajectory from odometry and ribbons alone.
+/// Estimates the trajectory of a tilting laser from odometry and ribbons alone.
+///
+/// Each line is tracked against the planes that are known. Every few seconds, the newest poses are
+/// adjusted together with all planes around them, old ones among these, which closes loops within
+/// the gates. finish() adjusts all poses and planes. docs/slam.md explains the method.
+///
+/// The estimate starts at the odometry's pose of the first line. It has no thread and no clock.
 class TrajectoryEstimate {
  public:
-  /// Starts without lines. `observations` hold those that will be added, and must outlive this.
+  /// Starts without lines. `observations` hold the lines to come and must outlive this; their
+  /// poses in map are not used.
   TrajectoryEstimate(const Observations& observations, const EstimateSettings& settings);
 
-  /// Adds a line whose ribbons are the last ones. Returns true if older poses were revised.
-  bool add_line(Time stamp, const Pose& T_odom_base);
-  /// Returns the number of lines.
-  std::size_t line_count() const { return lines_.size(); }
-  /// Adjusts the whole trajectory.
+  /// Takes the lines that the observations have gained. Must be called after each line if the
+  /// observations may be thinned. Returns true if poses of older lines were revised.
+  bool update();
+
+  /// Adjusts the whole trajectory. Lines may follow.
   void finish();
 
-  /// Returns the learnt scale of the odometry's noise, as OdometryNoise::planar_scale.
-  double noise_scale() const { return noise_.planar_scale; }
-  /// Returns the estimated pose of each line, in the odometry's frame at the first line.
+  /// Returns the estimated pose of the base for each line, in odom as it was at the first line.
   std::vector<StampedPose> trajectory() const;
+
+  /// Returns the covariance of the newest pose, as tracked, in the frame of the first line's base.
+  const Matrix6& covariance() const { return tracker_.belief().covariance; }
+
+  /// Returns the learnt scale of the odometry's noise, see OdometryNoise::planar_scale.
+  double noise_scale() const { return noise_.planar_scale; }
 
  private:
   void adjust_window();
+  void restart_tracker(std::vector<std::uint32_t> context, std::uint32_t first);
+  void learn_noise(std::uint32_t first_of_window);
+  std::uint32_t first_of_window() const;
   std::vector<std::uint32_t> context_of(std::uint32_t first) const;
 
   EstimateSettings settings_;
@@ -38,8 +53,8 @@ class TrajectoryEstimate {
   PosedLines lines_;
   LineTracker tracker_;
   Pose T_odom_start_ = Pose::Identity();
-  std::uint32_t settled_ = 0;      // lines before it have left all windows
-  std::uint32_t window_line_ = 0;  // the last one that was adjusted
+  Time last_window_{0};        // stamp of the line at which the last window was adjusted
+  std::uint32_t settled_ = 0;  // lines before it have left all windows
 };
 
 }  // namespace ribbon_mapper::slam

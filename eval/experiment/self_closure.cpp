@@ -1,0 +1,32 @@
+// SPDX-FileCopyrightText: 2026 ribbon_mapper authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "eval/experiment/self_closure.hpp"
+
+#include <algorithm>
+
+#include "modeler/program/stopwatch.hpp"
+
+namespace ribbon_mapper::eval {
+
+void SelfClosure::update() {
+  const double seconds = cpu_seconds_of([&] { estimate_.update(); });
+  updates_s_ += seconds;
+  longest_update_s_ = std::max(longest_update_s_, seconds);
+}
+
+std::vector<StampedPose> SelfClosure::finish(const sim::Tour& tour) {
+  finish_s_ = cpu_seconds_of([&] { estimate_.finish(); });
+  const Pose T_map_odom =
+      tour.true_T_map_base(Time(0)) * tour.T_odom_base(Time(0)).inverse(Eigen::Isometry);
+  std::vector<StampedPose> poses = estimate_.trajectory();
+  for (StampedPose& pose : poses) pose.T_map_base = T_map_odom * pose.T_map_base;
+  return poses;
+}
+
+EstimateSummary SelfClosure::summary(const std::vector<StampedPose>& estimate,
+                                     const std::vector<StampedPose>& truth) const {
+  return {trajectory_error(estimate, truth), estimate_.noise_scale(), updates_s_,
+          longest_update_s_, finish_s_};
+}
+
+}  // namespace ribbon_mapper::eval

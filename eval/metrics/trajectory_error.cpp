@@ -1,0 +1,48 @@
+// SPDX-FileCopyrightText: 2026 ribbon_mapper authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "eval/metrics/trajectory_error.hpp"
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+
+#include "modeler/geometry/angles.hpp"
+#include "modeler/geometry/square.hpp"
+
+namespace ribbon_mapper::eval {
+namespace {
+
+Eigen::Matrix3Xd positions_of(const std::vector<StampedPose>& trajectory) {
+  Eigen::Matrix3Xd positions(3, trajectory.size());
+  for (std::size_t i = 0; i < trajectory.size(); ++i) {
+    positions.col(static_cast<Eigen::Index>(i)) = trajectory[i].T_map_base.translation();
+  }
+  return positions;
+}
+
+}  // namespace
+
+TrajectoryError trajectory_error(const std::vector<StampedPose>& estimate,
+                                 const std::vector<StampedPose>& truth) {
+  if (estimate.empty() || estimate.size() != truth.size()) {
+    throw std::invalid_argument("trajectory error: two trajectories of the same poses are needed");
+  }
+  const auto count = static_cast<double>(estimate.size());
+  TrajectoryError error;
+  double square_deg = 0.0;
+  for (std::size_t i = 0; i < estimate.size(); ++i) {
+    const Pose difference =
+        truth[i].T_map_base.inverse(Eigen::Isometry) * estimate[i].T_map_base;
+    error.largest_m = std::max(error.largest_m, difference.translation().norm());
+    square_deg += square(to_degrees(angle_of(difference)));
+  }
+  const Eigen::Matrix3Xd from = positions_of(estimate), to = positions_of(truth);
+  const Pose aligned(Eigen::umeyama(from, to, false));
+  error.rmse_m = std::sqrt((from - to).squaredNorm() / count);
+  error.aligned_rmse_m = std::sqrt((aligned * from - to).squaredNorm() / count);
+  error.rmse_deg = std::sqrt(square_deg / count);
+  return error;
+}
+
+}  // namespace ribbon_mapper::eval
