@@ -82,7 +82,7 @@ class Modeler {
   /// acquisition pose: trajectory()[ribbon.pose]. Valid until the model changes.
   const std::vector<Ribbon>& ribbons() const;
 
-  /// Returns all that the model is a function of. Valid until the model changes.
+  /// Returns all that the model is a function of. The reference is valid until reset() or a move.
   const Observations& observations() const;
 
   /// Returns counts of what has been done.

@@ -108,8 +108,7 @@ Results run_experiment(const sim::World& world, const sim::Route& route,
   results.trajectory_before = modeler.trajectory();
   results.trajectory_truth = true_poses(tour, modeler.trajectory());
 
-  const std::vector<StampedPose> corrected =
-      self ? self->finish(tour) : results.trajectory_truth;
+  const std::vector<StampedPose> corrected = self ? self->finish(tour) : results.trajectory_truth;
   if (self) results.summary.estimate = self->summary(corrected, results.trajectory_truth);
   results.summary.correction_ms = 1e3 * wall_seconds_of([&] { modeler.correct(corrected); });
   results.models.corrected_as_built = modeler.planes_as_built();

@@ -51,8 +51,9 @@ std::string world_text(const RunOptions& run) {
 Results make_run(const RunOptions& run, const ProgressCallback& progress) {
   const ModelerConfig config = modeler_config(run);
   const sim::World world = load_world(run);
-  Results results = run_experiment(world, load_route(run), tour_config(run), config,
-                                   run.closure == "self" ? Closure::self : Closure::truth, progress);
+  Results results =
+      run_experiment(world, load_route(run), tour_config(run), config,
+                     run.closure == "self" ? Closure::self : Closure::truth, progress);
   results.summary.run = with_portable_names(run);
   results.summary.command = command_of(run);
   return results;

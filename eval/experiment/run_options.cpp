@@ -37,8 +37,8 @@ std::string quoted(const std::string& text) {
 
 /// Returns everything but the seed, in the order of comes_before().
 auto conditions_of(const RunOptions& r) {
-  return std::tie(r.world, r.route, r.config, r.model_paths, r.visuals, r.noise, r.tilt, r.closure, r.caster,
-                  r.beams, r.speed_m_s, r.deskew, r.drift);
+  return std::tie(r.world, r.route, r.config, r.model_paths, r.visuals, r.noise, r.tilt, r.closure,
+                  r.caster, r.beams, r.speed_m_s, r.deskew, r.drift);
 }
 
 /// Name and value of an option on the command line.

@@ -25,8 +25,8 @@ std::vector<StampedPose> SelfClosure::finish(const sim::Tour& tour) {
 
 EstimateSummary SelfClosure::summary(const std::vector<StampedPose>& estimate,
                                      const std::vector<StampedPose>& truth) const {
-  return {trajectory_error(estimate, truth), estimate_.noise_scale(), updates_s_,
-          longest_update_s_, finish_s_};
+  return {trajectory_error(estimate, truth), estimate_.noise_scale(), updates_s_, longest_update_s_,
+          finish_s_};
 }
 
 }  // namespace ribbon_mapper::eval

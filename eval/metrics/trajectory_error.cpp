@@ -32,8 +32,7 @@ TrajectoryError trajectory_error(const std::vector<StampedPose>& estimate,
   TrajectoryError error;
   double square_deg = 0.0;
   for (std::size_t i = 0; i < estimate.size(); ++i) {
-    const Pose difference =
-        truth[i].T_map_base.inverse(Eigen::Isometry) * estimate[i].T_map_base;
+    const Pose difference = truth[i].T_map_base.inverse(Eigen::Isometry) * estimate[i].T_map_base;
     error.largest_m = std::max(error.largest_m, difference.translation().norm());
     square_deg += square(to_degrees(angle_of(difference)));
   }

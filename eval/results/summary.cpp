@@ -165,8 +165,7 @@ std::string estimate_text(const EstimateSummary& estimate) {
       "heading %.2f deg; odometry %.1f x gmapping's noise; %.1f s for all lines (longest %.0f ms), "
       "%.1f s at the end\n",
       100.0 * e.rmse_m, 100.0 * e.largest_m, 100.0 * e.aligned_rmse_m, e.rmse_deg,
-      estimate.noise_scale, estimate.updates_s, 1e3 * estimate.longest_update_s,
-      estimate.finish_s);
+      estimate.noise_scale, estimate.updates_s, 1e3 * estimate.longest_update_s, estimate.finish_s);
 }
 
 /// Returns the figures without the times.

@@ -18,9 +18,6 @@ struct Unknown {
   bool is_landmark;
   std::uint32_t number;
   Index size() const { return is_landmark ? 3 : 6; }
-  bool operator==(const Unknown& other) const {
-    return is_landmark == other.is_landmark && number == other.number;
-  }
 };
 
 Index size_of(const std::vector<Unknown>& unknowns) {
@@ -49,7 +46,6 @@ struct Range {
   std::uint32_t first, end;
   std::uint32_t middle() const { return first + (end - first) / 2; }
   bool is_empty() const { return first >= end; }
-  bool has(std::uint32_t i) const { return first <= i && i < end; }
 };
 
 }  // namespace
@@ -84,7 +80,6 @@ class ChainElimination {
  public:
   explicit ChainElimination(const ChainSystem& system);
   ChainSystem::Solution solution() const;
-  std::vector<Matrix6> pose_covariances() const;
 
  private:
   std::uint32_t pose_count() const { return static_cast<std::uint32_t>(system_.poses_.size()); }
@@ -100,11 +95,11 @@ class ChainElimination {
   }
 
   const ChainSystem& system_;
-  std::vector<Range> observed_;             // by landmark: from the first to the last pose
-  std::vector<Index> pose_offsets_;         // in the front that was indexed last
-  std::vector<Index> landmark_offsets_;     //
-  std::vector<Elimination> eliminations_;   // children before parents
-  std::vector<std::uint32_t> marks_;        // by landmark: last front that listed it
+  std::vector<Range> observed_;            // by landmark: from the first to the last pose
+  std::vector<Index> pose_offsets_;        // in the front that was indexed last
+  std::vector<Index> landmark_offsets_;    // the same
+  std::vector<Elimination> eliminations_;  // children before parents
+  std::vector<std::uint32_t> marks_;       // by landmark: last front that listed it
   std::uint32_t mark_ = 0;
 };
 
@@ -157,8 +152,7 @@ void ChainElimination::index(const Front& front) {
   }
 }
 
-void ChainElimination::add_own_equations(const Range& range, Front& front,
-                                         std::size_t eliminated) {
+void ChainElimination::add_own_equations(const Range& range, Front& front, std::size_t eliminated) {
   const std::uint32_t middle = range.middle();
   const ChainSystem::PoseEquations& own = system_.poses_[middle];
   front.matrix.block<6, 6>(0, 0) += own.information;
@@ -250,7 +244,8 @@ ChainSystem::Solution ChainElimination::solution() const {
       std::vector<Eigen::Vector3d>(system_.landmarks(), Eigen::Vector3d::Zero())};
   for (std::size_t i = 0; i < system_.landmarks(); ++i) {
     const ChainSystem::LandmarkEquations& alone = system_.landmarks_[i];
-    if (observed_[i].is_empty()) solution.landmarks[i] = alone.information.llt().solve(alone.vector);
+    if (observed_[i].is_empty())
+      solution.landmarks[i] = alone.information.llt().solve(alone.vector);
   }
   VectorXd rest;
   for (auto step = eliminations_.rbegin(); step != eliminations_.rend(); ++step) {

@@ -4,7 +4,7 @@
 
 #include <Eigen/Core>
 #include <cstdint>
-#include <map>
+#include <utility>
 #include <vector>
 
 #include "modeler/registration/pose_belief.hpp"
@@ -48,9 +48,6 @@ class ChainSystem {
 
   /// Returns the solution. The matrix must be positive definite.
   Solution solve() const;
-
-  /// Returns the covariances of all poses: the diagonal blocks of the inverse of the matrix.
-  std::vector<Matrix6> pose_covariances() const;
 
  private:
   friend class ChainElimination;

@@ -96,8 +96,8 @@ std::vector<std::uint32_t> PlaneLandmarks::landmarks_near(const PosedRibbon& rib
   return landmarks;
 }
 
-bool LandmarkMatcher::fits_across(const PlaneObservation& observation, const Eigen::Vector3d& normal,
-                                 const PoseBelief& belief) const {
+bool LandmarkMatcher::fits_across(const PlaneObservation& observation,
+                                  const Eigen::Vector3d& normal, const PoseBelief& belief) const {
   const Pose& T = belief.T_model_base;
   if (normal.dot(T.linear() * observation.normal) < kMinCosineOfSide) return false;
   const Eigen::Vector3d across = T.linear() * observation.across;
@@ -110,7 +110,7 @@ bool LandmarkMatcher::fits_across(const PlaneObservation& observation, const Eig
 }
 
 std::optional<LandmarkMatcher::Match> LandmarkMatcher::match_of(const PlaneObservation& observation,
-                                                              const PoseBelief& belief) const {
+                                                                const PoseBelief& belief) const {
   std::optional<Match> best, second;
   const Pose& T = belief.T_model_base;
   for (const std::uint32_t candidate : observation.candidates) {
@@ -148,7 +148,7 @@ std::vector<LandmarkMatch> LandmarkMatcher::matches(
 }
 
 PoseInformation LandmarkMatcher::linearised(const std::vector<PlaneObservation>& observations,
-                                           const PoseBelief& belief) const {
+                                            const PoseBelief& belief) const {
   PoseInformation result;
   result.T_model_base = belief.T_model_base;
   for (const PlaneObservation& observation : observations) {
@@ -165,7 +165,7 @@ PoseInformation LandmarkMatcher::linearised(const std::vector<PlaneObservation>&
 }
 
 PoseInformation LandmarkMatcher::measure(const std::vector<PlaneObservation>& observations,
-                                        const PoseBelief& without_them) const {
+                                         const PoseBelief& without_them) const {
   const PoseInformation first = linearised(observations, without_them);
   return linearised(observations, updated(without_them, first));
 }

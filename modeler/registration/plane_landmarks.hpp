@@ -18,9 +18,9 @@
 
 namespace ribbon_mapper {
 
-/// Returns the planes of localised lines' ribbons that have independent support: min_ribbons ribbons
-/// more than the one segment contributes that contributes the most. What a single segment has seen
-/// may be that segment's error. `lines` holds the state of each pose of `observations`.
+/// Returns the planes of localised lines' ribbons that have independent support: min_ribbons
+/// ribbons more than the one segment contributes that contributes the most. What a single segment
+/// has seen may be that segment's error. `lines` holds the state of each pose of `observations`.
 std::vector<Hypothesis> supported_planes(const PosedObservations& observations,
                                          const std::vector<LineState>& lines,
                                          const RegistrationConfig& config,

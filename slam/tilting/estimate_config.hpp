@@ -54,10 +54,10 @@ struct EstimateSettings {
 
 /// Returns the settings of an estimate beside a modeler.
 inline EstimateSettings estimate_settings(const ModelerConfig& modeler) {
-  return {{},
-          modeler.registration,
-          {modeler.scan.range_sigma_m, modeler.association.corrected,
-           modeler.surface.bridged_gap_m}};
+  return {
+      {},
+      modeler.registration,
+      {modeler.scan.range_sigma_m, modeler.association.corrected, modeler.surface.bridged_gap_m}};
 }
 
 }  // namespace ribbon_mapper::slam

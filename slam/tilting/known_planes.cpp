@@ -7,8 +7,7 @@ namespace {
 
 std::vector<Hypothesis> planes_of(const PosedLines& lines,
                                   const std::vector<std::uint32_t>& indices,
-                                  const AssociationGates& gates,
-                                  const EstimateSettings& settings) {
+                                  const AssociationGates& gates, const EstimateSettings& settings) {
   PlaneMap map(settings.shared.bridged_gap_m, gates);
   for (const std::uint32_t line : indices) {
     const Pose T_start_base = lines.T_start_base(line);

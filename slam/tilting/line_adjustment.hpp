@@ -11,8 +11,8 @@ namespace ribbon_mapper::slam {
 
 /// Lines [first, end) whose poses are adjusted, and lines before them whose poses are known.
 struct AdjustedLines {
-  std::uint32_t first = 1;  ///< at least 1: the pose of the line before it is known
-  std::uint32_t end = 1;    ///< one behind the last line
+  std::uint32_t first = 1;             ///< at least 1: the pose of the line before it is known
+  std::uint32_t end = 1;               ///< one behind the last line
   std::vector<std::uint32_t> context;  ///< lines with known poses, ascending, all before `first`
 };
 

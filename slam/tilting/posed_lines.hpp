@@ -13,8 +13,8 @@
 
 namespace ribbon_mapper::slam {
 
-/// The lines of some observations with their estimated poses, in a frame called `start`: that of the
-/// first line.
+/// The lines of some observations with their estimated poses, in a frame called `start`: that of
+/// the first line.
 ///
 /// Besides the observations, a line takes 68 bytes.
 class PosedLines {

@@ -26,6 +26,7 @@ _METHOD = [f"modeler/{name}" for name in _CORE]
 _MODELER = _METHOD + ["modeler"]
 _TOOLS = _MODELER + ["modeler/calibration", "modeler/storage", "modeler/io",
                      "modeler/program"]
+_SLAM = ["slam/tilting"]
 _ROS = ["modeler/ros/messages", "modeler/ros/intake", "modeler/ros/node"]
 _SIM = ["sim/shapes", "sim/sdf", "sim/world", "sim/rays", "sim/robot", "sim/tour", "sim/truth"]
 _POSE = ["modeler/geometry/time.hpp", "modeler/geometry/pose.hpp"]
@@ -39,6 +40,7 @@ ROOMS = {
     "modeler/io": Room(_MODELER + ["modeler/calibration", "modeler/storage"],
                        ["Eigen", "nlohmann", "octomap", "yaml-cpp"]),
     "modeler/program": Room([], ["sys"]),
+    "slam/tilting": Room(_MODELER, ["Eigen"]),
     "modeler/ros/messages": Room(_TOOLS, ANY),
     "modeler/ros/intake": Room(_TOOLS + ["modeler/ros/messages"], ANY),
     "modeler/ros/node": Room(_TOOLS + ["modeler/ros/messages", "modeler/ros/intake"], ANY),
@@ -47,7 +49,7 @@ ROOMS = {
     "modeler/ros/bag_timing": Room(_TOOLS + _ROS + ["modeler/ros/bag"], ANY),
     "modeler/ros/bag_check": Room(_TOOLS + _ROS + ["modeler/ros/bag", "modeler/ros/bag_timing"],
                                   ANY),
-    "modeler/ros/offline": Room(_TOOLS + _ROS + ["modeler/ros/bag", "modeler/ros/bag_check"], ANY),
+    "modeler/ros/offline": Room(_TOOLS + _ROS + _SLAM + ["modeler/ros/bag", "modeler/ros/bag_check"], ANY),
     # The simulator has its own beam geometry, so that an error in one cannot hide in the other.
     "sim/shapes": Room(_POSE, ["Eigen", "assimp", "sys"]),
     "sim/rays": Room(_POSE + ["sim/shapes"], ["Eigen", "BulletCollision", "embree3"]),

@@ -30,7 +30,8 @@ std::variant<OfflineOptions, int> parse_offline_options(int argc, const char* co
   app.add_option("--output", options.output, "folder for the results")->capture_default_str();
   app.add_option("--config", options.config, "preset of the modeler")->capture_default_str();
   app.add_option("--trajectory", options.trajectory,
-                 "corrected poses of the base in map (TUM: stamp x y z qx qy qz qw)");
+                 "corrected poses of the base in map (TUM: stamp x y z qx qy qz qw); or `self`: "
+                 "estimated from odometry and planes");
   app.add_flag("--poses-are-final", options.poses_are_final,
                "treat the recorded poses as corrected ones; implied if the base stands still")
       ->excludes("--trajectory");

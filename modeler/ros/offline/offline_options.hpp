@@ -14,12 +14,15 @@ namespace ribbon_mapper {
 /// Command line options of `offline_modeler`.
 struct OfflineOptions {
   std::vector<std::filesystem::path> bags;  ///< read as one
-  std::filesystem::path trajectory;         ///< TUM file; empty: the recorded poses
+  std::filesystem::path trajectory;         ///< TUM file or "self"; empty: the recorded poses
   bool poses_are_final = false;             ///< the recorded poses are as good as corrected ones
   std::string config = "config/pr2.yaml";   ///< preset
   std::filesystem::path output = "results/offline";  ///< folder for the results
   bool with_figure = false;                          ///< also draws model_views.png
   BagOptions bag;                                    ///< topic, frames and times
+
+  /// Returns whether the trajectory is estimated from odometry and planes.
+  bool estimates_trajectory() const { return trajectory == "self"; }
 };
 
 /// Returns the options, or the exit code if the program has printed its help (0) or a usage error

@@ -3,6 +3,9 @@
 #include "modeler/ros/offline/offline_run.hpp"
 
 #include <algorithm>
+#include <array>
+#include <cstdio>
+#include <optional>
 #include <stdexcept>
 
 #include "modeler/assembly/model_quality.hpp"
@@ -19,6 +22,7 @@
 #include "modeler/ros/node/turn_check.hpp"
 #include "modeler/storage/file_set.hpp"
 #include "modeler/surface/outline.hpp"
+#include "slam/tilting/trajectory_estimate.hpp"
 
 namespace ribbon_mapper {
 namespace {
@@ -36,14 +40,32 @@ void add_missing_lines(const LineLog& log, OfflineSummary& summary) {
   }
 }
 
-void take_lines(const OfflineOptions& options, ModelKeeper& keeper, TurnCheck& turns,
-                OfflineSummary& summary, const ProgressCallback& progress) {
+/// The model of a recording, and what is learnt beside it.
+struct Modelling {
+  Modelling(const ModelerConfig& config, bool with_estimate) : keeper(config) {
+    if (with_estimate) {
+      estimate.emplace(keeper.modeler().observations(), slam::estimate_settings(config));
+    }
+  }
+  void add(const ReadyLine& line) {
+    keeper.add(line);
+    turns.add(line.beams.stamp, line.poses.T_odom_base_first);
+    if (estimate) estimate->update();
+  }
+
+  ModelKeeper keeper;
+  TurnCheck turns;
+  std::optional<slam::TrajectoryEstimate> estimate;
+};
+
+void take_lines(const OfflineOptions& options, Modelling& modelling, OfflineSummary& summary,
+                const ProgressCallback& progress) {
+  ModelKeeper& keeper = modelling.keeper;
   BagLines lines(options.bags, options.bag, keeper.log());
   summary.scan_topic = lines.scan_topic();
   Time first{0};
   while (const std::optional<ReadyLine> line = lines.next()) {
-    keeper.add(*line);
-    turns.add(line->beams.stamp, line->poses.T_odom_base_first);
+    modelling.add(*line);
     if (first == Time(0)) first = line->beams.stamp;
     summary.recording_s = to_seconds(line->beams.stamp - first);
     progress({keeper.log().lines(), lines.line_count(), keeper.modeler().statistics().ribbons,
@@ -83,10 +105,28 @@ bool stands_still(const std::vector<StampedPose>& trajectory) {
   });
 }
 
+/// Ends an estimate. Returns it in map, from the first recorded pose on.
+std::vector<StampedPose> finished(slam::TrajectoryEstimate& estimate, const Modeler& modeler,
+                                  std::string& origin) {
+  estimate.finish();
+  std::array<char, 128> text;
+  std::snprintf(text.data(), text.size(),
+                "estimated from odometry and planes; odometry %.1f x gmapping's noise",
+                estimate.noise_scale());
+  origin = text.data();
+  std::vector<StampedPose> poses = estimate.trajectory();
+  const Pose T_map_estimate =
+      modeler.trajectory().front().T_map_base * poses.front().T_map_base.inverse(Eigen::Isometry);
+  for (StampedPose& pose : poses) pose.T_map_base = T_map_estimate * pose.T_map_base;
+  return poses;
+}
+
 /// Returns the final poses, or nothing if the recorded ones are only those of a SLAM on the way.
 /// Writes where they are from to `origin`.
-std::vector<StampedPose> final_poses(const OfflineOptions& options, const Modeler& modeler,
+std::vector<StampedPose> final_poses(const OfflineOptions& options, Modelling& modelling,
                                      std::string& origin) {
+  const Modeler& modeler = modelling.keeper.modeler();
+  if (modelling.estimate) return finished(*modelling.estimate, modeler, origin);
   if (!options.trajectory.empty()) {
     origin = options.trajectory.filename().string();
     return read_tum(options.trajectory);
@@ -130,19 +170,19 @@ void describe(const ModelKeeper& keeper, const ModelerConfig& config, OfflineRun
 
 OfflineRun model_bags(const OfflineOptions& options, const ProgressCallback& progress) {
   const ModelerConfig config = load_config(find_installed_file(options.config).string());
-  ModelKeeper keeper(config);
+  Modelling modelling(config, options.estimates_trajectory());
+  ModelKeeper& keeper = modelling.keeper;
   OfflineRun run;
   for (const auto& bag : options.bags) run.summary.bags.push_back(bag.filename().string());
   run.summary.config = portable_name(find_installed_file(options.config)).string();
-  TurnCheck turns;
-  take_lines(options, keeper, turns, run.summary, progress);
+  take_lines(options, modelling, run.summary, progress);
   require_ribbons(keeper, run.summary);
 
   run.planes_before =
       with_outlines(keeper.modeler().planes_as_built(), config.surface.bridged_gap_m);
-  const auto poses = final_poses(options, keeper.modeler(), run.summary.trajectory);
+  const auto poses = final_poses(options, modelling, run.summary.trajectory);
   if (!poses.empty()) keeper.correct(poses);
-  if (const auto text = turns.contradiction(poses)) run.summary.notes.push_back(*text);
+  if (const auto text = modelling.turns.contradiction(poses)) run.summary.notes.push_back(*text);
   run.planes_after = keeper.planes();
   run.stripe_gap_m = config.surface.stripe_gap_m;
   run.frame = options.bag.intake.frames.map;

@@ -41,7 +41,10 @@ class Walls {
 
   PlaneLandmarks landmarks(const RegistrationConfig& config = {}) const {
     const std::vector<StampedPose> poses(lines.size());
-    return {PosedObservations(ribbons_, no_points_, poses), lines, config, kShared};
+    const PosedObservations observations(ribbons_, no_points_, poses);
+    return {supported_planes(observations, lines, config, kShared),
+            [&](std::uint32_t ribbon) { return observations.ribbon(ribbon); },
+            kShared.bridged_gap_m, config};
   }
 
   std::vector<LineState> lines;

@@ -1,0 +1,57 @@
+// SPDX-FileCopyrightText: 2026 ribbon_mapper authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "slam/tilting/posed_lines.hpp"
+
+#include <gtest/gtest.h>
+
+namespace ribbon_mapper::slam {
+namespace {
+
+/// Adds a line with so many ribbons, one metre further along x.
+void add_line(Observations& observations, int ribbons) {
+  const auto line = static_cast<int>(observations.trajectory().size());
+  LineObservations observed;
+  observed.ribbons.resize(static_cast<std::size_t>(ribbons));
+  observations.add_line({{Time(1'000'000) * line, Pose::Identity()}, planar_pose(line, 0.0, 0.0)},
+                        observed);
+}
+
+TEST(PosedLines, HaveTheRibbonsAndStepsOfTheirObservations) {
+  Observations observations({});
+  for (const int ribbons : {2, 0, 3}) add_line(observations, ribbons);
+  PosedLines lines(observations);
+  while (lines.has_next()) lines.add_next();
+  ASSERT_EQ(lines.size(), 3U);
+  EXPECT_EQ(lines.first_ribbon(1), 2U);
+  EXPECT_EQ(lines.first_ribbon(2), 2U);
+  EXPECT_EQ(lines.first_ribbon(3), 5U);
+  EXPECT_EQ(lines.measured(0, {}, {0.01, 0.25}).size(), 2U);
+  EXPECT_TRUE(lines.measured(1, {}, {0.01, 0.25}).empty());
+  EXPECT_TRUE(lines.step(0).isApprox(Pose::Identity()));
+  EXPECT_TRUE(lines.step(2).isApprox(planar_pose(1.0, 0.0, 0.0)));
+  EXPECT_DOUBLE_EQ(lines.seconds_between(0, 2), 0.002);
+}
+
+TEST(PosedLines, KeepTheirPosesWhenObservationsAreThinned) {
+  Observations observations({});
+  for (const int ribbons : {3, 3, 3, 3}) add_line(observations, ribbons);
+  PosedLines lines(observations);
+  EXPECT_FALSE(lines.keep_in_step());
+  while (lines.has_next()) {
+    lines.add_next();
+    lines.set_pose(lines.size() - 1, planar_pose(0.0, lines.size(), 0.0));
+  }
+  observations.thin(4);
+  EXPECT_TRUE(lines.keep_in_step());
+  ASSERT_EQ(lines.size(), observations.trajectory().size());
+  EXPECT_EQ(lines.first_ribbon(lines.size()), 4U);
+  for (std::uint32_t i = 0; i < lines.size(); ++i) {
+    const double number = 1.0 + static_cast<double>(lines.stamp(i).count()) / 1e6;
+    EXPECT_DOUBLE_EQ(lines.T_start_base(i).translation().y(), number);
+    EXPECT_EQ(lines.ribbon(lines.first_ribbon(i)).pose, i);
+  }
+  EXPECT_FALSE(lines.keep_in_step());
+}
+
+}  // namespace
+}  // namespace ribbon_mapper::slam
