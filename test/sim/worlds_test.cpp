@@ -46,13 +46,15 @@ TEST_P(ShippedWorld, ShowsThePlanesItWasDesignedFor) {
   EXPECT_EQ(seen_planes(kWorlds / GetParam().file).size(), GetParam().planes);
 }
 
-INSTANTIATE_TEST_SUITE_P(Worlds, ShippedWorld,
-                         testing::Values(Shipped{"apartment.sdf", 22}, Shipped{"room.sdf", 9},
-                                         Shipped{"corridor_ring.sdf", 19},
-                                         Shipped{"slopes.sdf", 16}),
-                         [](const auto& test) {
-                           return fs::path(test.param.file).stem().string();
-                         });
+INSTANTIATE_TEST_SUITE_P(
+    Worlds, ShippedWorld,
+    testing::Values(Shipped{"apartment.sdf", 22}, Shipped{"room.sdf", 9},
+                    Shipped{"corridor_ring.sdf", 19}, Shipped{"slopes.sdf", 16},
+                    Shipped{"hotel.sdf", 59}, Shipped{"ring_pilasters.sdf", 121},
+                    Shipped{"ring_bare.sdf", 10}, Shipped{"open_path_flat.sdf", 20},
+                    Shipped{"open_path_corridor.sdf", 7}, Shipped{"ramps.sdf", 10},
+                    Shipped{"doorways.sdf", 32}),
+    [](const auto& test) { return fs::path(test.param.file).stem().string(); });
 
 /// Compares the room with its drawing: each plane and its largest visible area.
 TEST(Room, HasThePlanesOfItsDrawing) {
