@@ -179,9 +179,11 @@ Pose Route::Leg::pose_at(double way) const {
 }
 
 Pose Route::pose_on_ground(const Leg& leg, double way) const {
-  const Pose T_map_base = leg.pose_at(way);
+  Pose T_map_base = leg.pose_at(way);
   if (is_level()) return T_map_base;
-  return T_map_base * ground_.T_level_base(leg.start_way_m + (leg.turn_sign == 0.0 ? way : 0.0));
+  const double way_m = leg.start_way_m + (leg.turn_sign == 0.0 ? way : 0.0);
+  T_map_base = T_map_base * ground_.T_level_base(way_m);
+  return T_map_base;
 }
 
 Time Route::duration() const { return from_seconds(end_s_); }
