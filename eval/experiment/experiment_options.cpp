@@ -12,6 +12,7 @@
 #include "sim/robot/hokuyo.hpp"
 #include "sim/robot/tilt_profile.hpp"
 #include "sim/sdf/resource_finder.hpp"
+#include "sim/tour/odometry_faults.hpp"
 
 namespace ribbon_mapper::eval {
 namespace {
@@ -82,6 +83,10 @@ void add_run_options(CLI::App& app, RunOptions& run) {
   app.add_option("--closure", run.closure, "what corrects the trajectory: truth or self")
       ->check(CLI::IsMember({"truth", "self"}))
       ->capture_default_str();
+  app.add_option("--odometry-faults", run.odometry_faults,
+                 "slip=T:DEGREES, shift=T:METRES, push=T:SECONDS, scale=X, yaw_scale=X, "
+                 "separated by commas")
+      ->check(accepted_by(sim::OdometryFaults::from));
   app.add_option("--caster", run.caster, "library that casts the laser's rays: bullet or embree")
       ->check(accepted_by(sim::ray_caster_kind_from))
       ->capture_default_str();

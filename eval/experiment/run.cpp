@@ -15,6 +15,7 @@ sim::TourConfig tour_config(const RunOptions& run) {
   config.hokuyo.noise = sim::range_noise_from(run.noise);
   config.tilt = sim::TiltProfileConfig::preset(run.tilt);
   config.localisation.drift = run.drift;
+  config.localisation.faults = sim::OdometryFaults::from(run.odometry_faults);
   if (run.beams) config.hokuyo.set_beams(*run.beams);
   return config;
 }

@@ -38,7 +38,7 @@ std::string quoted(const std::string& text) {
 /// Returns everything but the seed, in the order of comes_before().
 auto conditions_of(const RunOptions& r) {
   return std::tie(r.world, r.route, r.config, r.model_paths, r.visuals, r.noise, r.tilt, r.closure,
-                  r.caster, r.beams, r.speed_m_s, r.deskew, r.drift);
+                  r.caster, r.beams, r.speed_m_s, r.deskew, r.drift, r.odometry_faults);
 }
 
 /// Name and value of an option on the command line.
@@ -55,7 +55,8 @@ std::vector<Option> varied_options(const RunOptions& r) {
           {"beams", text_of(r.beams)},
           {"speed", text_of(r.speed_m_s)},
           {"deskew", text_of(r.deskew)},
-          {"drift", text_of(r.drift)}};
+          {"drift", text_of(r.drift)},
+          {"odometry-faults", r.odometry_faults}};
 }
 
 std::string content_of(const std::filesystem::path& path) {
@@ -81,6 +82,7 @@ std::string command_of(const RunOptions& run) {
   };
   add("--route", run.route, defaults.route);
   command << " --seed " << run.seed << " --drift " << run.drift;
+  add("--odometry-faults", run.odometry_faults, "");
   add("--config", run.config, defaults.config);
   add("--noise", run.noise, defaults.noise);
   add("--tilt", run.tilt, defaults.tilt);

@@ -20,6 +20,7 @@ struct RunOptions {
   std::uint64_t seed = 1;  ///< seed of all noise
   /// Scale of the localisation noise, 1 for gmapping's. 3 reproduces the 110 planes of the paper.
   double drift = 3.0;
+  std::string odometry_faults;      ///< slips and pushes, see sim::OdometryFaults::from()
   std::string noise = "datasheet";  ///< name of the range noise, see sim::range_noise_from()
   std::string tilt = "manip";       ///< name of a sim::TiltProfileConfig::preset()
   std::string closure = "truth";    ///< what corrects the trajectory: truth, or the slam itself

@@ -32,6 +32,7 @@ RunOptions run_of(const Json& json) {
   run.closure = json.value("closure", run.closure);
   run.caster = json.value("caster", run.caster);
   run.visuals = json.value("visuals", run.visuals);
+  run.odometry_faults = json.value("odometry_faults", run.odometry_faults);
   run.beams = optional_of<int>(json.at("beams"));
   run.speed_m_s = optional_of<double>(json.at("speed_m_s"));
   run.deskew = optional_of<bool>(json.at("deskew"));

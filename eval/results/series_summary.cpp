@@ -126,6 +126,7 @@ nlohmann::ordered_json group_json(const std::vector<LoggedRun>& group) {
                           "speed_m_s", "deskew", "drift"}) {
     json[key] = line.at(key);
   }
+  if (line.contains("odometry_faults")) json["odometry_faults"] = line.at("odometry_faults");
   json["runs"] = group.size();
   json["right"] = right_count(group);
   json["distribution"] = distribution_json(group);

@@ -135,6 +135,7 @@ Json to_json(const RunOptions& run) {
             {"drift", run.drift},
             {"seed", run.seed}};
   if (run.visuals) json["visuals"] = true;
+  if (!run.odometry_faults.empty()) json["odometry_faults"] = run.odometry_faults;
   return json;
 }
 

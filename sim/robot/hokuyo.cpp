@@ -62,6 +62,13 @@ double sigma_m(RangeNoise noise, double range_m) {
   return 0.0;
 }
 
+HokuyoConfig HokuyoConfig::base_laser() {
+  HokuyoConfig config;
+  config.angle_min_rad = -2.2689;
+  config.angle_max_rad = 2.2689;
+  return config;
+}
+
 void HokuyoConfig::set_beams(int count) {
   constexpr double kWithinStep = 1e-3;  // so that rounding removes no beam
   const int beams_before_middle = count / 2, beams_after_middle = count - 1 - count / 2;

@@ -58,6 +58,10 @@ struct HokuyoConfig {
   bool mixed_pixels = true;       ///< ranges between two depths where the beam's spot covers both
   double quantisation_m = 0.001;  ///< ranges are multiples of this; 0: none
 
+  /// Returns the settings of the laser on the PR2's base (pr2_bringup, pr2-c2.launch): 1040 beams
+  /// within +-130 degrees, 40 Hz. It is of the same make as the tilting one, so its noise is alike.
+  static HokuyoConfig base_laser();
+
   /// Sets the angles to `count` beams about straight ahead. With an even count, there is one more
   /// beam to the right (negative angles).
   void set_beams(int count);

@@ -23,6 +23,7 @@ Pose T_base_laser(double tilt_rad, double torso_m) {
 }
 
 Pose T_map_laser(const Pose& T_map_base, double tilt_rad) {
+  if (T_map_base(2, 2) < 1.0 - 1e-12) return T_map_base * T_base_laser(tilt_rad);
   const double c = std::cos(tilt_rad), s = std::sin(tilt_rad);
   const double ahead_x = T_map_base(0, 0), ahead_y = T_map_base(1, 0);
   const double x_m = kAxisX_m + kLever_m * s, z_m = kAxisZ_m + kTorsoRest_m + kLever_m * c;
@@ -33,6 +34,9 @@ Pose T_map_laser(const Pose& T_map_base, double tilt_rad) {
       0.0, 0.0, 0.0, 1.0;
   return result;
 }
+
+// base_footprint_joint, base_laser_joint
+Pose T_base_base_laser() { return Pose(Eigen::Translation3d(0.275, 0.0, 0.051 + 0.252)); }
 
 Pose T_map_body(const Pose& T_map_base) {
   return T_map_base * Eigen::Translation3d(0.0, 0.0, kBodyBottom_m + kBodySize_m.z() / 2.0);

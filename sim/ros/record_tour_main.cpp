@@ -18,7 +18,7 @@ using namespace ribbon_mapper;
 
 struct Options {
   std::string world, route, bag, truth;
-  std::string tilt = "manip", caster = "bullet";
+  std::string tilt = "manip", caster = "bullet", odometry_faults;
   std::vector<std::string> model_paths;
   bool visuals = false;
   double keyframe_step_m = 0.0;
@@ -56,10 +56,16 @@ void add_options(CLI::App& app, Options& options) {
                  "constant error of the scans' stamps [s]")
       ->check(CLI::Range(-1.0, 1.0))
       ->capture_default_str();
+  app.add_flag("--base-laser", options.recorder.base_laser,
+               "also record base_scan, the laser on the base; casts 3.7 times as many rays");
+  app.add_option("--odometry-faults", options.odometry_faults,
+                 "slip=T:DEGREES, shift=T:METRES, push=T:SECONDS, scale=X, yaw_scale=X, "
+                 "separated by commas");
 }
 
 void run(Options& options) {
   options.tour.tilt = sim::TiltProfileConfig::preset(options.tilt);
+  options.tour.localisation.faults = sim::OdometryFaults::from(options.odometry_faults);
   sim::add_gazebo_paths(options.model_paths);
   const sim::World world =
       sim::World::load(options.world, options.model_paths,

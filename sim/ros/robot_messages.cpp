@@ -7,9 +7,10 @@
 
 namespace ribbon_mapper::sim {
 
-sensor_msgs::LaserScan scan_message(const Scan& scan, const ros::Time& stamp) {
+sensor_msgs::LaserScan scan_message(const Scan& scan, const std::string& frame,
+                                    const ros::Time& stamp) {
   sensor_msgs::LaserScan message;
-  message.header.frame_id = "laser_tilt_link";
+  message.header.frame_id = frame;
   message.header.stamp = stamp;
   message.angle_min = static_cast<float>(scan.angle_min_rad);
   message.angle_increment = static_cast<float>(scan.angle_increment_rad);

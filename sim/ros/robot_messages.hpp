@@ -17,8 +17,12 @@ namespace ribbon_mapper::sim {
 
 // Messages of a simulated PR2.
 
-/// Returns a scan of the tilting laser as a message.
-sensor_msgs::LaserScan scan_message(const Scan& scan, const ros::Time& stamp);
+constexpr const char* kTiltLaserFrame = "laser_tilt_link";  ///< of the tilting laser
+constexpr const char* kBaseLaserFrame = "base_laser_link";  ///< of the laser on the base
+
+/// Returns a scan of the laser whose frame is `frame` as a message.
+sensor_msgs::LaserScan scan_message(const Scan& scan, const std::string& frame,
+                                    const ros::Time& stamp);
 
 /// Returns the positions of the torso (at rest) and the tilt.
 sensor_msgs::JointState joint_message(double tilt_rad, const ros::Time& stamp);

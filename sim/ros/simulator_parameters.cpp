@@ -57,7 +57,11 @@ SimulatorParameters SimulatorParameters::read() {
   p.tour.seed =
       static_cast<std::uint64_t>(from.integer("seed", 1, 0, std::numeric_limits<int>::max()));
   p.tour.localisation.drift = from.number("drift", 1.0, 0.0, 100.0);
+  p.tour.localisation.faults = OdometryFaults::from(from.text("odometry_faults", ""));
   p.tour.hokuyo = read_hokuyo(from);
+  p.tour.base_hokuyo.noise = p.tour.hokuyo.noise;
+  p.tour.base_hokuyo.noise_scale = p.tour.hokuyo.noise_scale;
+  p.tour.base_hokuyo.mixed_pixels = p.tour.hokuyo.mixed_pixels;
   p.tour.tilt = read_tilt(from);
   p.frames.map = from.text("map_frame", p.frames.map);
   p.frames.odom = from.text("odom_frame", p.frames.odom);

@@ -37,6 +37,7 @@ TourPublisher::TourPublisher(ros::NodeHandle& node, const World& world, Tour& to
   odometry_ = node.advertise<nav_msgs::Odometry>("base_odometry/odom", 10000);
   true_pose_ = node.advertise<nav_msgs::Odometry>("base_pose_ground_truth", 10000);
   scan_ = node.advertise<sensor_msgs::LaserScan>("tilt_scan", 10000);
+  base_scan_ = node.advertise<sensor_msgs::LaserScan>("base_scan", 10000);
   truth_planes_ = node.advertise<PlaneArray>("ground_truth/planes", 1, true);
   true_path_ = node.advertise<nav_msgs::Path>("ground_truth/trajectory", 1, true);
   world_ = node.advertise<visualization_msgs::MarkerArray>("ground_truth/world", 1, true);
@@ -49,7 +50,8 @@ bool TourPublisher::has_subscribers(const std::string& topic) const {
   const std::size_t colon = topic.find(':');
   const std::string name = ros::names::resolve(topic.substr(0, colon));
   const int count = colon == std::string::npos ? 1 : std::atoi(topic.c_str() + colon + 1);
-  for (const ros::Publisher* publisher : {&clock_, &tf_, &joints_, &odometry_, &true_pose_, &scan_})
+  for (const ros::Publisher* publisher :
+       {&clock_, &tf_, &joints_, &odometry_, &true_pose_, &scan_, &base_scan_})
     if (publisher->getTopic() == name)
       return static_cast<int>(publisher->getNumSubscribers()) >= count;
   return true;
@@ -76,6 +78,7 @@ void TourPublisher::tick(Time now) {
   publish_joints(now);
   publish_localisation(now);
   publish_scans(now);
+  publish_base_scans(now);
   publish_true_path(now);
 }
 
@@ -114,10 +117,20 @@ void TourPublisher::publish_localisation(Time now) {
 void TourPublisher::publish_scans(Time now) {
   // A driver sends a scan when its last beam is in.
   while (next_scan_ && kStart + end_of(*next_scan_) <= now) {
-    scan_.publish(scan_message(*next_scan_, stamp_of(kStart + next_scan_->stamp)));
+    const ros::Time stamp = stamp_of(kStart + next_scan_->stamp);
+    scan_.publish(scan_message(*next_scan_, kTiltLaserFrame, stamp));
     truth_.add(*next_scan_);
     ++lines_;
     next_scan_ = tour_.next_scan();
+  }
+}
+
+void TourPublisher::publish_base_scans(Time now) {
+  for (; base_lines_ < tour_.base_line_count(); ++base_lines_) {
+    if (kStart + tour_.base_scan_end(base_lines_) > now) return;
+    if (base_scan_.getNumSubscribers() == 0) continue;  // its rays are the most of the work
+    const Scan scan = tour_.base_scan(base_lines_);
+    base_scan_.publish(scan_message(scan, kBaseLaserFrame, stamp_of(kStart + scan.stamp)));
   }
 }
 

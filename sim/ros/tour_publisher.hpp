@@ -19,7 +19,8 @@ namespace ribbon_mapper::sim {
 /// Publishes the clock, the sensors, the localisation and the ground truth of a tour.
 ///
 /// Time advances in ticks; the same tour gives the same messages at any speed. The robot stands
-/// still before and after the tour.
+/// still before and after the tour. The base laser's rays are cast while base_scan has a
+/// subscriber. What they hit does not count as seen in the ground truth.
 class TourPublisher {
  public:
   /// Simulated time at the first tick; a stamp of zero means "unknown" in ROS.
@@ -44,7 +45,7 @@ class TourPublisher {
   /// Publishes whether the tour has ended.
   void publish_finished(bool finished);
 
-  /// Returns the number of lines published.
+  /// Returns the number of lines of the tilting laser that are published.
   std::size_t lines() const { return lines_; }
   /// Returns the number of joint states that did not come back as transforms.
   std::size_t lost_joints() const { return lost_joints_; }
@@ -59,6 +60,7 @@ class TourPublisher {
   void publish_base(Time now);
   void publish_localisation(Time now);
   void publish_scans(Time now);
+  void publish_base_scans(Time now);
   void publish_true_path(Time now);
 
   Tour& tour_;
@@ -66,9 +68,9 @@ class TourPublisher {
   TruthCollector truth_;
   TiltEcho echo_;
   std::optional<Scan> next_scan_;
-  std::size_t lines_ = 0, map_ticks_ = 0, lost_joints_ = 0;
+  std::size_t lines_ = 0, base_lines_ = 0, map_ticks_ = 0, lost_joints_ = 0;
   Time now_{0};
-  ros::Publisher clock_, tf_, joints_, odometry_, true_pose_, scan_;
+  ros::Publisher clock_, tf_, joints_, odometry_, true_pose_, scan_, base_scan_;
   ros::Publisher truth_planes_, true_path_, world_, finished_;
   std::vector<StampedPose> path_;
 };

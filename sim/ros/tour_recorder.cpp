@@ -10,6 +10,7 @@
 #include <stdexcept>
 
 #include "modeler/ros/messages/message_conversions.hpp"
+#include "sim/robot/pr2.hpp"
 #include "sim/ros/robot_messages.hpp"
 
 namespace ribbon_mapper::sim {
@@ -62,11 +63,23 @@ void record_transforms(const Tour& tour, Time at, std::size_t& map_ticks, Record
   }
 }
 
+/// Records the lines of the base laser from `line` on that end by `now`.
+void record_base_scans(const Tour& tour, Time now, std::size_t& line, Recorder& recorder) {
+  for (; line < tour.base_line_count() && tour.base_scan_end(line) <= now; ++line) {
+    const Scan scan = tour.base_scan(line);
+    recorder.write("/base_scan", now,
+                   scan_message(scan, kBaseLaserFrame, stamp_of(kTourStart + scan.stamp)));
+  }
+}
+
 std::vector<StampedPose> record(Tour& tour, const RecorderOptions& options, Recorder& recorder) {
   std::vector<StampedPose> truth;
-  recorder.write_transform("/tf_static", Time(0), kMount, "laser_tilt_link", kMountToLaser);
+  recorder.write_transform("/tf_static", Time(0), kMount, kTiltLaserFrame, kMountToLaser);
+  if (options.base_laser)
+    recorder.write_transform("/tf_static", Time(0), "base_footprint", kBaseLaserFrame,
+                             pr2::T_base_base_laser());
   const Time end = std::min(tour.duration(), from_seconds(std::min(options.longest_s, 1e6)));
-  std::size_t map_ticks = 0;
+  std::size_t map_ticks = 0, base_line = 0;
   std::optional<Scan> scan = tour.next_scan();
   for (Time now(0); now <= end + 10 * kTick; now += kTick) {
     record_transforms(tour, now, map_ticks, recorder);
@@ -74,8 +87,10 @@ std::vector<StampedPose> record(Tour& tour, const RecorderOptions& options, Reco
       const Time stamp = kTourStart + scan->stamp;
       truth.push_back({stamp, tour.true_T_map_base(scan->stamp)});
       recorder.write("/tilt_scan", now,
-                     scan_message(*scan, stamp_of(stamp + from_seconds(options.stamp_error_s))));
+                     scan_message(*scan, kTiltLaserFrame,
+                                  stamp_of(stamp + from_seconds(options.stamp_error_s))));
     }
+    if (options.base_laser) record_base_scans(tour, std::min(now, end), base_line, recorder);
   }
   return truth;
 }

@@ -68,6 +68,7 @@ void LocalisationConfig::validate() const {
   require(angular_update_rad > 0.0, "angular_update must be above 0 rad");
   require(odometry_rate_hz > 0.0 && odometry_rate_hz <= 1000.0, "odometry_rate: up to 1000 Hz");
   require(map_rate_hz > 0.0 && map_rate_hz <= 1000.0, "map_rate: up to 1000 Hz");
+  faults.validate();
 }
 
 Localisation::Localisation(const Route& route, const LocalisationConfig& config, std::uint64_t seed)
@@ -81,13 +82,18 @@ Localisation::Localisation(const Route& route, const LocalisationConfig& config,
 void Localisation::drive_odometry(std::mt19937_64& random) {
   Pose T_map_base = route_.T_map_base(Time(0));
   Pose T_odom_base = Pose::Identity();
+  double begin_s = 0.0;
   T_odom_map_ = {T_map_base.inverse()};
   const std::size_t count = sample_count(route_.duration(), config_.odometry_rate_hz);
   while (T_odom_map_.size() < count) {
-    const Pose next = route_.T_map_base(sample_time(T_odom_map_.size(), config_.odometry_rate_hz));
-    const Pose step = T_map_base.inverse() * next;
+    const Time end = sample_time(T_odom_map_.size(), config_.odometry_rate_hz);
+    const Pose next = route_.T_map_base(end);
+    const Pose step =
+        config_.faults.reported(T_map_base.inverse() * next, begin_s, to_seconds(end));
     T_odom_base = T_odom_base * step * drawn(motion_sigma(config_, step), random).pose();
+    T_odom_base.translation().z() = 0.0;
     T_map_base = next;
+    begin_s = to_seconds(end);
     T_odom_map_.push_back(T_odom_base * T_map_base.inverse());
   }
 }

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "modeler/geometry/pose.hpp"
+#include "sim/tour/odometry_faults.hpp"
 #include "sim/tour/route.hpp"
 
 namespace ribbon_mapper::sim {
@@ -14,7 +15,7 @@ namespace ribbon_mapper::sim {
 /// Noise of the simulated localisation. The defaults are gmapping's as configured for the PR2
 /// (pr2_navigation_slam/slam_gmapping.xml).
 struct LocalisationConfig {
-  double drift = 1.0;  ///< multiplies every sigma below; 0: exact poses
+  double drift = 1.0;  ///< multiplies every sigma below; 0: exact poses on level ground
 
   // gmapping's motion model: sigma per reference step, which is one update of the filter.
   double srr = 0.01;                  ///< translation from translation [m/m]
@@ -35,11 +36,14 @@ struct LocalisationConfig {
   double odometry_rate_hz = 100.0;  ///< pr2_odometry.yaml
   double map_rate_hz = 30.0;        ///< the paper: 25 to 30 Hz
 
+  OdometryFaults faults;  ///< slips, pushes and wrong scales; none
+
   /// Throws std::invalid_argument that names a wrong key and its range.
   void validate() const;
 };
 
-/// The poses that odometry and SLAM estimate along a route, without loop closure.
+/// The poses that odometry and SLAM estimate along a route, without loop closure. On ramps they
+/// have the true pitch, as an IMU gives it, but stay at height 0 (robot_pose_ekf).
 class Localisation {
  public:
   /// Simulates the whole route. Throws std::invalid_argument if the configuration is not valid.

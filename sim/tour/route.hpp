@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "modeler/geometry/pose.hpp"
+#include "sim/tour/ground_profile.hpp"
 
 namespace ribbon_mapper::sim {
 
@@ -36,19 +37,23 @@ struct Velocity {
 };
 
 /// A way through the world. The robot turns on the spot towards the next waypoint, drives straight
-/// to it, and so on. At the end of a closed route it turns back to its first heading.
+/// to it, and so on. At the end of a closed route it turns back to its first heading. On ramps, it
+/// has the height and the pitch of the ground; its ways and speeds are those in the plane.
 class Route {
  public:
-  /// Reads YAML with `speed` [m/s], `turn_rate` [rad/s], `waypoints` [[x, y], ...] [m, map] and
-  /// optionally `rest` [s]. Throws std::runtime_error that names the file and the key.
+  /// Reads YAML with `speed` [m/s], `turn_rate` [rad/s], `waypoints` [m, map] and optionally `rest`
+  /// [s]. A waypoint is [x, y], or [x, y, z] with the height of the ground. Throws
+  /// std::runtime_error that names the file and the key.
   static Route load(const std::string& path);
 
   /// Plans the motion; the robot rests for `rest_s` (0 to 1000) before it starts. Throws
   /// std::invalid_argument if a speed exceeds the PR2's limits (1 m/s, 2 rad/s) or is below 0.001.
   /// Also throws it for fewer than two waypoints, two successive ones in the same place, and a way
-  /// of more than 10 km or 4 hours.
+  /// of more than 10 km or 4 hours. `heights_m` has the ground's height at each waypoint; empty is
+  /// level ground. Throws as well for a slope above 0.1, and for a turn that is not on level
+  /// ground.
   Route(double speed_m_s, double turn_rate_rad_s, std::vector<Eigen::Vector2d> waypoints,
-        double rest_s = 0.0);
+        double rest_s = 0.0, std::vector<double> heights_m = {});
 
   /// Returns the time from the beginning of the rest to the end of the motion.
   Time duration() const;
@@ -64,6 +69,9 @@ class Route {
   /// Returns the waypoints [m, map].
   const std::vector<Eigen::Vector2d>& waypoints() const { return waypoints_; }
 
+  /// Returns true if all of the ground is at height 0.
+  bool is_level() const { return ground_.is_level(); }
+
   /// Returns the pose of base_footprint, which stands still before the start and after the end.
   Pose T_map_base(Time time) const;
   /// Returns the velocity of the base.
@@ -78,11 +86,14 @@ class Route {
     double start_s;
     Pose T_map_start;
     double yaw_rad;
-    double turn_sign;  ///< -1 or 1 for a turn, 0 for a drive
+    double turn_sign;    ///< -1 or 1 for a turn, 0 for a drive
+    double start_way_m;  ///< way of the route before it
     Ramp ramp;
-    Pose pose_at(double way) const;
+    Pose pose_at(double way) const;  ///< on level ground
   };
   void require_within_limits() const;
+  void lay_ground();
+  Pose pose_on_ground(const Leg& leg, double way) const;
   Pose end_pose() const;
   void turn_to(double yaw_rad);
   void drive_to(const Eigen::Vector2d& target);
@@ -90,6 +101,8 @@ class Route {
 
   double speed_m_s_, turn_rate_rad_s_, rest_s_;
   std::vector<Eigen::Vector2d> waypoints_;
+  std::vector<double> heights_m_;  ///< of the ground at the waypoints, or empty
+  GroundProfile ground_;
   std::vector<Leg> legs_;
   double length_m_ = 0.0;
   Eigen::Vector2d end_place_;  ///< end of the last leg
@@ -97,7 +110,8 @@ class Route {
 };
 
 /// Checks the route every 2 cm and 2 degrees. Throws std::runtime_error that names the place and
-/// the obstacle if the PR2's body collides with the world.
+/// the obstacle if the PR2's body collides with the world. Throws it, too, if a route with heights
+/// leaves the ground by more than 5 cm.
 void require_free(const World& world, const Route& route);
 
 }  // namespace ribbon_mapper::sim

@@ -33,15 +33,26 @@ double number(const YAML::Node& node, const std::string& key) {
   }
 }
 
-std::vector<Eigen::Vector2d> points_of(const YAML::Node& list) {
+/// Waypoints, and the ground's height at each of them or nothing.
+struct Waypoints {
+  std::vector<Eigen::Vector2d> points_m;
+  std::vector<double> heights_m;
+};
+
+Waypoints waypoints_of(const YAML::Node& list) {
   if (!list.IsSequence()) throw std::runtime_error("'waypoints' must be a list of [x, y]");
-  std::vector<Eigen::Vector2d> points;
+  Waypoints waypoints;
+  bool has_heights = false;
   for (const YAML::Node& point : list) {
-    if (!point.IsSequence() || point.size() != 2)
-      throw std::runtime_error("waypoint " + std::to_string(points.size() + 1) + " is not [x, y]");
-    points.emplace_back(number(point[0], "waypoints"), number(point[1], "waypoints"));
+    if (!point.IsSequence() || point.size() < 2 || point.size() > 3)
+      throw std::runtime_error("waypoint " + std::to_string(waypoints.points_m.size() + 1) +
+                               " is not [x, y] or [x, y, z]");
+    has_heights = has_heights || point.size() == 3;
+    waypoints.points_m.emplace_back(number(point[0], "waypoints"), number(point[1], "waypoints"));
+    waypoints.heights_m.push_back(point.size() == 3 ? number(point[2], "waypoints") : 0.0);
   }
-  return points;
+  if (!has_heights) waypoints.heights_m.clear();
+  return waypoints;
 }
 
 }  // namespace
@@ -50,8 +61,10 @@ Route Route::load(const std::string& path) {
   try {
     const YAML::Node root = YAML::LoadFile(path);
     check_keys(root);
-    return Route(number(root["speed"], "speed"), number(root["turn_rate"], "turn_rate"),
-                 points_of(root["waypoints"]), root["rest"] ? number(root["rest"], "rest") : 0.0);
+    const Waypoints waypoints = waypoints_of(root["waypoints"]);
+    return {number(root["speed"], "speed"), number(root["turn_rate"], "turn_rate"),
+            waypoints.points_m, root["rest"] ? number(root["rest"], "rest") : 0.0,
+            waypoints.heights_m};
   } catch (const std::exception& error) {
     throw std::runtime_error("route " + path + ": " + error.what());
   }

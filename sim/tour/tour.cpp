@@ -11,7 +11,18 @@ namespace {
 
 /// Streams of random numbers.
 constexpr std::uint64_t kRangeStream = 0x9e3779b97f4a7c15u;
+constexpr std::uint64_t kBaseRangeStream = 0x94d049bb133111ebu;
 constexpr std::uint64_t kLocalisationStream = 0xbf58476d1ce4e5b9u;
+
+Time stamp_of_line(std::size_t line, const Hokuyo& hokuyo) {
+  return static_cast<Time::rep>(line) * hokuyo.period();
+}
+
+/// Returns the number of lines that end within `duration`.
+std::size_t lines_within(Time duration, const Hokuyo& hokuyo) {
+  const Time room = duration - hokuyo.sweep_time();
+  return room < Time(0) ? 0 : static_cast<std::size_t>(room / hokuyo.period()) + 1;
+}
 
 }  // namespace
 
@@ -21,6 +32,7 @@ struct Tour::State {
         route(route_),
         tilt(config.tilt),
         hokuyo(config.hokuyo, stream_seed(config.seed, kRangeStream)),
+        base_hokuyo(config.base_hokuyo, stream_seed(config.seed, kBaseRangeStream)),
         localisation(route, config.localisation, stream_seed(config.seed, kLocalisationStream)) {
     require_free(world, route);
     view = route_view(world, route, tilt, config.hokuyo);
@@ -33,7 +45,7 @@ struct Tour::State {
   const World& world;
   Route route;
   TiltProfile tilt;
-  Hokuyo hokuyo;
+  Hokuyo hokuyo, base_hokuyo;
   Localisation localisation;
   std::string view;
   std::size_t next_line = 0;
@@ -48,10 +60,9 @@ const std::string& Tour::view() const { return state_->view; }
 
 Time Tour::duration() const { return state_->route.duration(); }
 
-std::size_t Tour::line_count() const {
-  const Time room = duration() - state_->hokuyo.sweep_time();
-  return room < Time(0) ? 0 : static_cast<std::size_t>(room / state_->hokuyo.period()) + 1;
-}
+std::size_t Tour::line_count() const { return lines_within(duration(), state_->hokuyo); }
+
+std::size_t Tour::base_line_count() const { return lines_within(duration(), state_->base_hokuyo); }
 
 std::optional<Scan> Tour::next_scan() {
   if (state_->next_line >= line_count()) return std::nullopt;
@@ -59,9 +70,19 @@ std::optional<Scan> Tour::next_scan() {
 }
 
 Scan Tour::scan(std::size_t line) const {
-  const Time stamp = static_cast<Time::rep>(line) * state_->hokuyo.period();
-  return state_->hokuyo.scan(state_->world, stamp,
+  return state_->hokuyo.scan(state_->world, stamp_of_line(line, state_->hokuyo),
                              [this](Time time) { return state_->T_map_laser(time); });
+}
+
+Scan Tour::base_scan(std::size_t line) const {
+  const Pose T_base_laser = pr2::T_base_base_laser();
+  return state_->base_hokuyo.scan(
+      state_->world, stamp_of_line(line, state_->base_hokuyo),
+      [&](Time time) { return state_->route.T_map_base(time) * T_base_laser; });
+}
+
+Time Tour::base_scan_end(std::size_t line) const {
+  return stamp_of_line(line, state_->base_hokuyo) + state_->base_hokuyo.sweep_time();
 }
 
 Pose Tour::true_T_map_base(Time time) const { return state_->route.T_map_base(time); }

@@ -20,14 +20,17 @@ namespace ribbon_mapper::sim {
 /// Everything that a tour depends on, besides world and route. The same configuration gives the
 /// same bytes.
 struct TourConfig {
-  HokuyoConfig hokuyo;              ///< laser
-  TiltProfileConfig tilt;           ///< motion of the laser
-  LocalisationConfig localisation;  ///< noise of odometry and SLAM
-  std::uint64_t seed = 1;           ///< of all random numbers
+  HokuyoConfig hokuyo;                                    ///< tilting laser
+  TiltProfileConfig tilt;                                 ///< motion of the tilting laser
+  HokuyoConfig base_hokuyo = HokuyoConfig::base_laser();  ///< laser on the base
+  LocalisationConfig localisation;                        ///< noise of odometry and SLAM
+  std::uint64_t seed = 1;                                 ///< of all random numbers
 };
 
-/// A PR2 that drives a route through a world and scans with its tilting laser. Lines start at time
-/// 0; the last one ends before the route does.
+/// A PR2 that drives a route through a world and scans with its tilting laser and with the laser on
+/// its base. Lines of both start at time 0; the last ones end before the route does. The lines of
+/// one laser do not depend on the other's: each has its own random numbers. A line that nobody asks
+/// for costs nothing.
 class Tour {
  public:
   /// Prepares the tour; the world must outlive it. Throws std::invalid_argument (a bad value) or
@@ -41,14 +44,21 @@ class Tour {
   const std::string& view() const;
   /// Returns the duration of the route.
   Time duration() const;
-  /// Returns the number of lines of the whole tour.
+  /// Returns the number of lines of the tilting laser in the whole tour.
   std::size_t line_count() const;
+  /// Returns the number of lines of the base laser in the whole tour.
+  std::size_t base_line_count() const;
 
-  /// Returns the next line of the laser, nothing after the last.
+  /// Returns the next line of the tilting laser, nothing after the last.
   std::optional<Scan> next_scan();
 
   /// Returns any line of the tour, the same as next_scan() returns. For several threads at once.
   Scan scan(std::size_t line) const;
+
+  /// Returns any line of the base laser, counted from 0. For several threads at once.
+  Scan base_scan(std::size_t line) const;
+  /// Returns the time of the last beam of a line of the base laser.
+  Time base_scan_end(std::size_t line) const;
 
   // Times from 0 to duration().
   /// Returns the true pose of the base.

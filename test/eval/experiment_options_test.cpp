@@ -66,6 +66,14 @@ TEST(ExperimentOptions, ListsMakeASeriesOfAllCombinations) {
   EXPECT_THAT(options.command, HasSubstr("--speed 0.1,0.6"));
 }
 
+TEST(ExperimentOptions, FaultsOfTheOdometryAreOfOneRun) {
+  const auto options = std::get<ExperimentOptions>(
+      parsed({"--odometry-faults", "slip=30:20,push=40:2", "--drift", "0"}));
+  ASSERT_THAT(options.runs, SizeIs(1));
+  EXPECT_THAT(command_of(options.runs.front()),
+              HasSubstr("--odometry-faults slip=30:20,push=40:2"));
+}
+
 TEST(ExperimentOptions, ASingleSeedOfAListIsASeries) {
   EXPECT_TRUE(std::get<ExperimentOptions>(parsed({"--seeds", "7"})).is_series);
 }
@@ -99,6 +107,7 @@ INSTANTIATE_TEST_SUITE_P(
                     std::pair(Arguments{"--beams", "1081"}, "--beams"),
                     std::pair(Arguments{"--speed", "0"}, "--speed"),
                     std::pair(Arguments{"--deskew", "maybe"}, "--deskew"),
+                    std::pair(Arguments{"--odometry-faults", "slip=30"}, "slip=T:DEGREES"),
                     std::pair(Arguments{"--world", "a,b", "--route", "r"}, "--route")));
 
 TEST(ExperimentOptions, HelpEndsWithZero) {

@@ -36,9 +36,11 @@ TEST_F(Log, ALineHoldsItsRunAndItsFigures) {
   RunOptions options = run(0.5, 7);
   options.beams = 720;
   options.deskew = false;
+  options.odometry_faults = "push=30:2";
   const LoggedRun logged = parse_run_line(line_of(options));
   EXPECT_FALSE(comes_before(logged.run, with_portable_names(options)));
   EXPECT_FALSE(comes_before(with_portable_names(options), logged.run));
+  EXPECT_EQ(logged.run.odometry_faults, "push=30:2");
   EXPECT_EQ(logged.figures.at("lines"), 7.0);
   EXPECT_EQ(logged.figures.at("four_models.noisy_as_built.planes"), 0.0);
   EXPECT_EQ(logged.figures.count("seed"), 0U);

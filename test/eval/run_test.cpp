@@ -35,6 +35,13 @@ TEST(Run, TheSpeedScalesTheRoute) {
   EXPECT_EQ(slow.velocity(from_seconds(3.0)).turn_rad_s, 0.0) << "the first leg is straight";
 }
 
+TEST(Run, OdometryFaultsReachTheTour) {
+  RunOptions run;
+  EXPECT_TRUE(tour_config(run).localisation.faults.slips.empty());
+  run.odometry_faults = "slip=30:20";
+  EXPECT_EQ(tour_config(run).localisation.faults.slips.size(), 1U);
+}
+
 TEST(Run, DeskewIsThePresetsUnlessGiven) {
   RunOptions run;
   EXPECT_TRUE(modeler_config(run).scan.deskew);

@@ -26,6 +26,7 @@ class Wiring(unittest.TestCase):
     def setUpClass(cls):
         cls.tf = Latest('/tf', TFMessage)
         cls.scans = Latest('tilt_scan', LaserScan)
+        cls.base_scans = Latest('base_scan', LaserScan)
         cls.truth = Latest('ground_truth/planes', PlaneArray)
         cls.planes = Latest('modeler/planes', PlaneArray)
         cls.markers = Latest('modeler/markers', MarkerArray)
@@ -37,7 +38,7 @@ class Wiring(unittest.TestCase):
         cls.log = Latest('/rosout', Log)
         cls.diagnostics = Diagnostics()
         cls.get_model = service('modeler/get_model', GetModel)
-        for topic in (cls.tf, cls.scans, cls.log):
+        for topic in (cls.tf, cls.scans, cls.base_scans, cls.log):
             assert eventually(topic.publishers)
         # The tour starts with this subscriber.
         cls.odometry = Latest('base_odometry/odom', Odometry)
@@ -58,6 +59,17 @@ class Wiring(unittest.TestCase):
         steps = {b.header.stamp.to_nsec() - a.header.stamp.to_nsec()
                  for a, b in zip(self.scans.messages, self.scans.messages[1:])}
         self.assertEqual(steps, {25000000})
+
+    def test_the_base_laser_is_the_pr2s(self):
+        scan = self.base_scans.wait()
+        self.assertEqual(scan.header.frame_id, 'base_laser_link')
+        self.assertEqual(len(scan.ranges), 1040)
+        steps = {b.header.stamp.to_nsec() - a.header.stamp.to_nsec()
+                 for a, b in zip(self.base_scans.messages, self.base_scans.messages[1:])}
+        self.assertEqual(steps, {25000000})
+        height = self.transform_to('base_link').translation.z
+        height += self.transform_to('base_laser_link').translation.z
+        self.assertAlmostEqual(height, 0.303, 6)
 
     def test_planes_are_those_of_the_room(self):
         self.assertTrue(eventually(lambda: self.planes.messages and

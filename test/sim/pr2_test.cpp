@@ -42,6 +42,11 @@ TEST(Pr2, LaserInMapIsTheProduct) {
     }
 }
 
+TEST(Pr2, BaseLaserIsLevelWhereTheJointsPutIt) {
+  const Pose joints = Pose(Translation3d(0, 0, 0.051) * Translation3d(0.275, 0, 0.252));
+  EXPECT_TRUE(pr2::T_base_base_laser().isApprox(joints, 1e-12));
+}
+
 TEST(Pr2, PositiveTiltLooksDown) {
   EXPECT_LT(pr2::T_base_laser(0.5).linear().col(0).z(), 0.0);
   EXPECT_GT(pr2::T_base_laser(0.5).translation().x(), 0.04893) << "the lever turns with it";

@@ -42,6 +42,24 @@ TEST_F(RouteFile, IsRead) {
   EXPECT_FALSE(route.closed());
 }
 
+TEST_F(RouteFile, TheRestIsOptional) {
+  const std::string head = "speed: 0.25\nturn_rate: 0.7\n" + kWay;
+  const Time moving = load(head).duration();
+  EXPECT_EQ(load(head + "rest: 12.5\n").duration(), moving + from_seconds(12.5));
+  EXPECT_THAT(error_of(head + "rest: long\n"), HasSubstr("'rest' must be a number"));
+  EXPECT_THAT(error_of(head + "rest: -1\n"), HasSubstr("rest must be in 0..1000 s"));
+}
+
+TEST_F(RouteFile, AWaypointMayHaveTheHeightOfTheGround) {
+  const Route route =
+      load("speed: 0.25\nturn_rate: 0.7\nwaypoints: [[0, 0], [1, 0], [3, 0, 0.1], [4, 0, 0.1]]\n");
+  EXPECT_FALSE(route.is_level());
+  EXPECT_NEAR(route.T_map_base(route.duration()).translation().z(), 0.1, 1e-9);
+  EXPECT_NEAR(route.T_map_base(Time(0)).translation().z(), 0.0, 1e-9) << "0 where it has none";
+  EXPECT_THAT(error_of("speed: 0.3\nturn_rate: 0.6\nwaypoints: [[0, 0], [1, 0, high]]\n"),
+              HasSubstr("must be a number"));
+}
+
 TEST_F(RouteFile, MissingOrBroken) {
   EXPECT_THROW(Route::load(path().string()), std::runtime_error);
   EXPECT_FALSE(error_of("speed: [0.3\n  : {").empty());
@@ -63,7 +81,8 @@ TEST_F(RouteFile, NamesTheKey) {
 
 TEST_F(RouteFile, NamesTheWaypoint) {
   const std::string head = "speed: 0.3\nturn_rate: 0.6\nwaypoints: ";
-  EXPECT_THAT(error_of(head + "[[0, 0], [1, 2, 3]]\n"), HasSubstr("waypoint 2 is not [x, y]"));
+  EXPECT_THAT(error_of(head + "[[0, 0], [1, 2, 3, 4]]\n"), HasSubstr("waypoint 2 is not [x, y]"));
+  EXPECT_THAT(error_of(head + "[[0, 0], [1]]\n"), HasSubstr("waypoint 2 is not [x, y]"));
   EXPECT_THAT(error_of(head + "[[0, 0], 5]\n"), HasSubstr("waypoint 2 is not [x, y]"));
   EXPECT_THAT(error_of(head + "[[0, 0], [a, 1]]\n"), HasSubstr("must be a number"));
   EXPECT_THAT(error_of(head + "7\n"), HasSubstr("must be a list"));

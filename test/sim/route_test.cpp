@@ -61,6 +61,20 @@ TEST(Route, AClosedRouteEndsAsItBegan) {
   EXPECT_TRUE(route.T_map_base(route.duration()).isApprox(route.T_map_base(Time(0)), 1e-9));
 }
 
+TEST(Route, RestsBeforeItStarts) {
+  const Route at_once(0.4, 0.7, {{0, 0}, {2, 1}}), rested(0.4, 0.7, {{0, 0}, {2, 1}}, 5.0);
+  EXPECT_NEAR(duration_s(rested), duration_s(at_once) + 5.0, 1e-8);
+  EXPECT_TRUE(rested.T_map_base(from_seconds(4.99)).isApprox(rested.T_map_base(Time(0)), 1e-12));
+  EXPECT_EQ(rested.velocity(from_seconds(4.99)).forward_m_s, 0.0);
+  for (const double t : {0.3, 2.0, 4.0})
+    EXPECT_TRUE(rested.T_map_base(from_seconds(5.0 + t))
+                    .isApprox(at_once.T_map_base(from_seconds(t)), 1e-6))
+        << t;
+  EXPECT_NEAR(duration_s(rested.at_speed(0.8)) - duration_s(at_once.at_speed(0.8)), 5.0, 1e-8);
+  EXPECT_THROW(Route(0.4, 0.7, {{0, 0}, {2, 1}}, -1.0), std::invalid_argument);
+  EXPECT_THROW(Route(0.4, 0.7, {{0, 0}, {2, 1}}, 1001.0), std::invalid_argument);
+}
+
 TEST(Route, StandsBeforeItsStartAndAfterItsEnd) {
   const Route route(0.4, 0.7, {{0, 0}, {2, 1}});
   EXPECT_TRUE(route.T_map_base(Time(-1)).isApprox(route.T_map_base(Time(0))));
