@@ -23,8 +23,10 @@
 namespace ribbon_mapper {
 namespace {
 
-/// Says which lines never came into the recording.
-void add_missing_lines(const LineLog& log, OfflineSummary& summary) {
+/// Says which lines never came into the recording, and whether their times can be right.
+void add_doubts_about_lines(const LineLog& log, OfflineSummary& summary) {
+  const std::string doubt = log.timing_doubt();
+  if (!doubt.empty()) summary.notes.push_back(doubt);
   summary.lost_lines = log.lost();
   if (log.lost() > 0) {
     summary.notes.push_back(counted(log.lost(), "line") +
@@ -55,7 +57,7 @@ void take_lines(const OfflineOptions& options, ModelKeeper& keeper, TurnCheck& t
   summary.notes = lines.choices();
   for (const std::string& warning : transform_warnings(transforms))
     summary.notes.push_back(warning);
-  add_missing_lines(keeper.log(), summary);
+  add_doubts_about_lines(keeper.log(), summary);
 }
 
 void require_ribbons(const ModelKeeper& keeper, const OfflineSummary& summary) {
