@@ -190,7 +190,7 @@ TEST(BarrenLines, TheCauseIsThatOfTheNewLines) {
   barren.complaint(log_of({{LineResult::modelled, 500}, {LineResult::no_ribbons, 50}}));
   const std::string text = barren.complaint(log_of(
       {{LineResult::modelled, 500}, {LineResult::no_ribbons, 51}, {LineResult::no_returns, 40}}));
-  EXPECT_THAT(text, HasSubstr("(1 x no ribbons, 40 x no returns): no range lies within"));
+  EXPECT_THAT(text, HasSubstr("(40 x no returns, 1 x no ribbons): no range lies within"));
 }
 
 TEST(BarrenLines, OfALaserAtRestAreNoFaultOnceThereIsAModel) {
