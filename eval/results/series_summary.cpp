@@ -5,11 +5,11 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <cstdio>
 #include <limits>
 #include <nlohmann/json.hpp>
 
 #include "eval/metrics/statistics.hpp"
+#include "eval/results/format.hpp"
 #include "modeler/program/version.hpp"
 
 namespace ribbon_mapper::eval {
@@ -39,13 +39,6 @@ const std::array<Column, 14> kColumns{{
     {"end_drift_m", {"end drift", "m"}, 10, 2, 1},
     {"end_drift_deg", {"end drift", "deg"}, 10, 1, 1},
 }};
-
-template <typename... Arguments>
-std::string format(const char* pattern, Arguments... arguments) {
-  std::array<char, 256> text;
-  std::snprintf(text.data(), text.size(), pattern, arguments...);
-  return text.data();
-}
 
 template <typename Value>
 std::string table_row(const std::string& label, std::size_t label_width, const Value& value_of) {

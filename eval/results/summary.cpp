@@ -2,10 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "eval/results/summary.hpp"
 
-#include <array>
-#include <cstdio>
 #include <nlohmann/json.hpp>
 
+#include "eval/results/format.hpp"
 #include "modeler/program/version.hpp"
 
 namespace ribbon_mapper::eval {
@@ -72,13 +71,6 @@ Json four_models_to_json(const Summary& s) {
       {"corrected_as_built",
        model_to_json(s.metrics.corrected_as_built, p ? &p->corrected_as_built : nullptr)},
       {"corrected", model_to_json(s.metrics.corrected, p ? &p->corrected : nullptr)}};
-}
-
-template <typename... Arguments>
-std::string format(const char* pattern, Arguments... arguments) {
-  std::array<char, 512> line;
-  std::snprintf(line.data(), line.size(), pattern, arguments...);
-  return line.data();
 }
 
 std::string or_dash(const std::optional<double>& value, double scale, int decimals) {

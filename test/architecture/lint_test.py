@@ -17,13 +17,18 @@ SETTINGS = PROJECT / "cmake/settings.cmake"
 class Lint(planted.PlantedProject):
     def lint(self, text, name="modeler/a.cpp"):
         """Returns the exit status and the output of lint on a project of one source."""
-        source = self.plant(name, text)
+        return self.lint_sources({name: text})
+
+    def lint_sources(self, texts):
+        """Does the same with several sources, by their names."""
+        sources = [self.plant(name, text) for name, text in texts.items()]
         for rules in [".clang-format", ".clang-tidy"]:
             shutil.copy(PROJECT / rules, self.root)
         (self.root / "build").mkdir(exist_ok=True)
         (self.root / "build/compile_commands.json").write_text(json.dumps([{
             "directory": str(self.root), "file": str(source),
-            "command": f"/usr/bin/c++ -std=c++17 -Wall -Wextra -Wshadow -o a.o -c {source}"}]))
+            "command": f"/usr/bin/c++ -std=c++17 -Wall -Wextra -Wshadow -o a.o -c {source}"}
+            for source in sources]))
         for words in [["init", "-q"], ["add", "-A"]]:
             subprocess.run(["git", *words], cwd=self.root, check=True)
         run = subprocess.run([PROJECT / "tools/lint", "--root", self.root], text=True,
@@ -70,6 +75,15 @@ class Lint(planted.PlantedProject):
         text = "int f(int a) {\n  for (int a = 0; a < 2; ++a) {\n  }\n  return a;\n}\n"
         self.assert_found(text, "clang-diagnostic-shadow")
         self.assert_found(text, "-Wshadow", name="test/a.cpp")
+
+    def test_warnings_of_clang_about_one_of_several_sources(self):
+        unused = "namespace {\nconstexpr int kUnused = 3;\n}  // namespace\n"
+        status, output = self.lint_sources({
+            "modeler/a.cpp": unused, "modeler/b.cpp": "// nothing\n", "modeler/c.cpp": unused})
+        self.assertEqual(1, status, output)
+        self.assertIn("lint: 2 failures", output)
+        for name in ["a", "c"]:
+            self.assertIn(f"modeler/{name}.cpp:2:15: error: unused variable 'kUnused'", output)
 
     def test_nothing_in_the_database(self):
         self.assert_found("", "names no source", name="elsewhere/a.cpp")

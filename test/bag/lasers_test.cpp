@@ -178,11 +178,19 @@ TEST(BarrenLines, AreNamedAfterAFew) {
   BarrenLines barren;
   EXPECT_EQ("", barren.complaint(log_of({{LineResult::no_ribbons, 5}})));
   EXPECT_THAT(barren.complaint(log_of({{LineResult::no_ribbons, 25}})),
-              HasSubstr("20 lines are taken, but none gives a ribbon (25 x no ribbons so far)"));
+              HasSubstr("20 lines are taken, but none gives a ribbon (20 x no ribbons): "));
   EXPECT_EQ("",
             barren.complaint(log_of({{LineResult::no_ribbons, 25}, {LineResult::modelled, 1}})));
   EXPECT_NE("",
             barren.complaint(log_of({{LineResult::no_ribbons, 65}, {LineResult::modelled, 1}})));
+}
+
+TEST(BarrenLines, TheCauseIsThatOfTheNewLines) {
+  BarrenLines barren;
+  barren.complaint(log_of({{LineResult::modelled, 500}, {LineResult::no_ribbons, 50}}));
+  const std::string text = barren.complaint(log_of(
+      {{LineResult::modelled, 500}, {LineResult::no_ribbons, 51}, {LineResult::no_returns, 40}}));
+  EXPECT_THAT(text, HasSubstr("(40 x no returns, 1 x no ribbons): no range lies within"));
 }
 
 TEST(BarrenLines, OfALaserAtRestAreNoFaultOnceThereIsAModel) {

@@ -39,6 +39,12 @@ TEST(LineSpacing, OfThePr2NeedsNoOtherPreset) {
   EXPECT_EQ(preset.assembly.min_ribbons, changed.assembly.min_ribbons);
 }
 
+TEST(LineSpacing, ProposedLengthsAreReadable) {
+  LineSpacing spacing = pr2();
+  spacing.far_range_m = 7.0;
+  EXPECT_EQ(0.3, adapted({}, spacing).surface.stripe_gap_m);  // not 0.30000000000000004
+}
+
 /// Expects a warning with these words, and none with the adapted preset.
 void expect_mended(const LineSpacing& spacing, const char* words) {
   EXPECT_THAT(warnings(spacing), HasSubstr(words));

@@ -10,6 +10,7 @@
 #include <functional>
 #include <memory>
 
+#include "modeler/ros/offline/offline_run.hpp"
 #include "sim/ros/tour_recorder.hpp"
 #include "test/bag/wall_bag.hpp"
 #include "test/io/temporary_directory.hpp"
@@ -141,6 +142,22 @@ TEST_F(Timing, SeveralOffsetsThatFitAreListed) {
   wall.write(file);
   EXPECT_FALSE(estimate(file));
   EXPECT_THAT(report(file), HasSubstr("fits several values of scan_time_offset"));
+}
+
+TEST_F(Timing, AWrongTimeIncrementIsSaidWithTheModel) {
+  OfflineOptions options;
+  options.config = kPreset;
+  for (const float factor : {1.0F, 0.05F}) {
+    options.bags = {changed([&](int, sensor_msgs::LaserScan& scan) {
+      scan.time_increment *= factor;
+      scan.scan_time = 0.025F;
+      return true;
+    })};
+    const std::string text = summary_text(model_bags(options, [](const Progress&) {}).summary);
+    const bool is_said = text.find("WARNING time_increment is 0.87 us") != std::string::npos;
+    EXPECT_EQ(factor != 1.0F, is_said) << text;
+    EXPECT_EQ(is_said, text.find("and lines come every 25.0 ms: ") != std::string::npos) << text;
+  }
 }
 
 }  // namespace

@@ -17,7 +17,7 @@ from std_srvs.srv import Trigger
 from tf2_msgs.msg import TFMessage
 
 from diagnostics import Diagnostics
-from robot_before_a_wall import Robot
+from robot_before_a_wall import BEAMS, Robot
 from waiting import Latest, eventually, service
 
 
@@ -152,6 +152,28 @@ class BadInput(unittest.TestCase):
             'lines lost before they came (header.seq)') == '30')
         self.assertTrue(lost, self.diagnostics.reports()[-1:])
         self.assertTrue(self.logged('30 lost so far'))
+
+    def send_until_logged(self, text, **fields):
+        """Sends spoilt scans until the node, which looks every 5 s, says something of them."""
+        self.log.messages.clear()
+
+        def is_said():
+            for _ in range(10):
+                scan = self.robot.scan(self.robot.line)
+                for name, value in fields.items():
+                    setattr(scan, name, value)
+                self.robot.send(scan)
+            return any(text in entry.msg for entry in self.log.messages)
+        self.assertTrue(eventually(is_said), [entry.msg for entry in self.log.messages])
+        self.wait_for_lines()
+
+    def test_lines_that_give_nothing_are_explained(self):
+        self.send_until_logged('x no returns): no range lies within the laser',
+                               ranges=[math.inf] * BEAMS)
+
+    def test_a_time_increment_that_does_not_fit_is_named(self):
+        self.send_until_logged('scan_time is 25.0 ms, and lines come every 25.0 ms: these do not '
+                               'fit', time_increment=1e-6, scan_time=0.025)
 
     def path(self, stamps, x=0.0, frame='map'):
         path = Path()

@@ -45,7 +45,7 @@ class Robot:
         message.header.frame_id = 'laser_tilt_link'
         message.angle_min, message.angle_max = -HALF_ANGLE, HALF_ANGLE
         message.angle_increment = 2.0 * HALF_ANGLE / (BEAMS - 1)
-        message.time_increment = PERIOD / 1440.0
+        message.time_increment = PERIOD * message.angle_increment / (2.0 * math.pi)
         message.range_min, message.range_max = 0.1, 30.0
         message.ranges = [3.0 / (math.cos(self.tilt(line)) * math.cos(angle)) for angle in (
             -HALF_ANGLE + i * message.angle_increment for i in range(BEAMS))]

@@ -22,7 +22,9 @@ constexpr double kAveragingBaseLine = 3.0;  // see ScanConfig::base_line_sigmas
 constexpr double kNoiseSteps = 3.0;
 constexpr double kMuchNoise = 1.5;  // times scan.range_sigma_m
 
-double rounded_up(double value, double step) { return std::ceil(value / step - 1e-9) * step; }
+/// Rounds up to a part of a unit: a division gives the double nearest to a decimal, 0.3 and not
+/// 0.30000000000000004.
+double rounded_up(double value, double parts) { return std::ceil(value * parts - 1e-9) / parts; }
 
 /// Rounds to a hundredth of a unit, so that presets are easy to read.
 double to_hundredths(double value) { return std::round(100.0 * value) / 100.0; }
@@ -44,7 +46,7 @@ std::string millimetres(double metres) { return number(1e3 * metres, 0) + " mm";
 ModelerConfig adapted(ModelerConfig preset, const LineSpacing& spacing) {
   const double coarser = std::max(1.0, spacing.beam_step_rad / kBeamStepOfPr2_rad);
   ScanConfig& scan = preset.scan;
-  scan.range_sigma_m = std::max(scan.range_sigma_m, rounded_up(spacing.noise_m, 0.001));
+  scan.range_sigma_m = std::max(scan.range_sigma_m, rounded_up(spacing.noise_m, 1000.0));
   scan.direction_sigma_deg = to_hundredths(spacing.beam_step_rad / kDegree / std::sqrt(12.0));
   if (lines_are_within_noise(spacing)) {
     scan.base_line_sigmas = std::max(scan.base_line_sigmas, kAveragingBaseLine);
@@ -59,10 +61,10 @@ ModelerConfig adapted(ModelerConfig preset, const LineSpacing& spacing) {
   SurfaceConfig& surface = preset.surface;
   const double gap_m = std::max(spacing.line_gap_m(), spacing.beam_gap_m());
   if (gap_m > surface.cell_size_m) {
-    surface.cell_size_m = std::min(kMaxCell_m, rounded_up(kObliqueGaps * gap_m, 0.01));
+    surface.cell_size_m = std::min(kMaxCell_m, rounded_up(kObliqueGaps * gap_m, 100.0));
   }
   surface.stripe_gap_m = std::max(
-      surface.stripe_gap_m, rounded_up(2.0 * spacing.line_step_rad * spacing.far_range_m, 0.1));
+      surface.stripe_gap_m, rounded_up(2.0 * spacing.line_step_rad * spacing.far_range_m, 10.0));
   const double lines_of_a_small_plane =
       std::sqrt(preset.assembly.min_area_m2) / std::max(1e-6, spacing.line_gap_m());
   for (int* min_ribbons : {&preset.assembly.min_ribbons, &preset.registration.min_ribbons}) {

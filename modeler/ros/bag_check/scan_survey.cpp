@@ -8,9 +8,9 @@
 #include <utility>
 
 #include "modeler/ros/bag_check/number_text.hpp"
-#include "modeler/ros/bag_timing/time_increment.hpp"
 #include "modeler/ros/intake/model_doubts.hpp"
 #include "modeler/ros/messages/message_conversions.hpp"
+#include "modeler/ros/messages/time_increment.hpp"
 
 namespace ribbon_mapper {
 namespace {
@@ -181,32 +181,12 @@ void ScanSurvey::report_angles(BagReport& report) const {
 }
 
 void ScanSurvey::report_time_increment(BagReport& report) const {
-  const double period_s = median_period_s(), increment_s = last_.time_increment_s;
-  if (increment_s == 0.0) {
+  if (last_.time_increment_s == 0.0) {
     report.fact("time_increment is 0: all beams of a line count as taken at its stamp");
     return;
   }
-  if (fits_period(increment_s, last_, period_s)) return;
-  const auto microseconds = [](double seconds) { return number(1e6 * seconds, 2) + " us"; };
-  const auto milliseconds = [](double seconds) { return number(1e3 * seconds, 1) + " ms"; };
-  const double steps = static_cast<double>(last_.ranges_m.size()) - 1.0;
-  const std::string facts = "time_increment is " + microseconds(increment_s) +
-                            ", so that lines last " + milliseconds(steps * increment_s) +
-                            ", scan_time is " + milliseconds(scan_time_s_) +
-                            ", and lines come every " + milliseconds(period_s);
-  const bool skips_lines = scan_time_s_ > 0.0 && scan_time_s_ < 0.75 * period_s &&
-                           fits_period(increment_s, last_, scan_time_s_);
-  if (skips_lines) {
-    report.fact(facts + ": most turns of the laser are left out");
-  } else if (steps * increment_s > period_s) {
-    report.warning(facts + ": lines last longer than their period. A constant turn would need " +
-                   microseconds(time_increment_of(period_s, last_.angle_increment_rad)) +
-                   ": correct the driver");
-  } else {
-    report.warning(facts + ": these do not fit. A constant turn would need a time_increment of " +
-                   microseconds(time_increment_of(period_s, last_.angle_increment_rad)) +
-                   ": correct the driver");
-  }
+  const auto doubt = timing_doubt(last_, scan_time_s_, median_period_s());
+  if (doubt) doubt->is_fault ? report.warning(doubt->text) : report.fact(doubt->text);
 }
 
 void ScanSurvey::report_ranges(BagReport& report) const {

@@ -97,7 +97,8 @@ std::vector<std::string> transform_warnings(const TransformLog& transforms) {
   }
   if (counts.repeated > 0) {
     std::string text = counted(counts.repeated, "transform") +
-                       " repeat the stamp of one before, of " +
+                       (counts.repeated == 1 ? " repeats" : " repeat") +
+                       " the stamp of one before, of " +
                        names_of(links, [](const LoggedLink& link) { return link.repeated > 0; }) +
                        "; the first counts";
     text += counts.differing == 0 ? ": is each recorded twice?"

@@ -8,7 +8,7 @@
 #include "modeler/io/config_file.hpp"
 #include "modeler/ros/bag_check/number_text.hpp"
 #include "modeler/ros/bag_timing/swept_lines.hpp"
-#include "modeler/ros/bag_timing/time_increment.hpp"
+#include "modeler/ros/messages/time_increment.hpp"
 
 namespace ribbon_mapper {
 namespace {

@@ -77,7 +77,6 @@ std::string InputWatch::complaint(const LineIntake& intake, const TransformBuffe
   return "No lines are taken, waiting: " + intake.waits_for() + frames_advice(intake, tf);
 }
 
-/// Returns which frames there are, and how to set the parameters if there is one choice.
 std::string InputWatch::frames_advice(const LineIntake& intake, const TransformBuffer& tf) const {
   const FrameTree tree(tf.core());
   const Frames& frames = intake.options().frames;

@@ -36,9 +36,12 @@ class InputWatch {
   /// empty text if none do.
   std::string lateness(const LineIntake& intake, const TransformBuffer& tf) const;
 
+  /// Returns which frames there are, and how to set the parameters if there is one choice; an empty
+  /// text if tf has all frames.
+  std::string frames_advice(const LineIntake& intake, const TransformBuffer& tf) const;
+
  private:
   std::string without_scans() const;
-  std::string frames_advice(const LineIntake& intake, const TransformBuffer& tf) const;
 
   std::string scan_topic_;
   std::size_t scans_ = 0, scans_before_ = 0;

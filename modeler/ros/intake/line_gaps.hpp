@@ -38,6 +38,17 @@ class LineGaps {
   /// Takes note of a line that has come, but has no usable stamp.
   void saw_unusable() { ++unusable_; }
 
+  /// Returns the median time between the last lines that were sent; 0 until there are some.
+  double period_s() const {
+    if (steps_ < kMinSteps) return 0.0;
+    std::array<double, 15> steps_s = last_steps_s_;
+    const auto end =
+        steps_s.begin() + static_cast<std::ptrdiff_t>(std::min(steps_, steps_s.size()));
+    const auto middle = steps_s.begin() + (end - steps_s.begin()) / 2;
+    std::nth_element(steps_s.begin(), middle, end);
+    return *middle;
+  }
+
   /// Starts again: the next line does not follow the last one.
   void restart() { *this = {}; }
 
@@ -62,15 +73,6 @@ class LineGaps {
     const bool is_few = sent >= 1 && sent <= kFewSent;
     last_steps_s_[steps_++ % last_steps_s_.size()] = is_few ? step_s / sent : step_s;
     return gap;
-  }
-
-  double period_s() const {
-    std::array<double, 15> steps_s = last_steps_s_;
-    const auto end =
-        steps_s.begin() + static_cast<std::ptrdiff_t>(std::min(steps_, steps_s.size()));
-    const auto middle = steps_s.begin() + (end - steps_s.begin()) / 2;
-    std::nth_element(steps_s.begin(), middle, end);
-    return *middle;
   }
 
   ros::Time newest_;

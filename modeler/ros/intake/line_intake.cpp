@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "modeler/ros/messages/message_conversions.hpp"
+#include "modeler/ros/messages/time_increment.hpp"
 
 namespace ribbon_mapper {
 namespace {
@@ -22,6 +23,8 @@ void LineIntake::add(const sensor_msgs::LaserScan& scan, const Moment& now) {
       gaps_.saw_unusable();
     } else {
       log_.missing(gaps_.saw(scan.header.seq, scan.header.stamp));
+      const auto doubt = timing_doubt(line.beams, scan.scan_time, gaps_.period_s());
+      if (doubt && doubt->is_fault) log_.doubted(doubt->text);
     }
     admit(std::move(line));
   } else if (run == Run::next) {

@@ -24,6 +24,8 @@ class LineLog {
     lost_ += gap.lost;
     if (gap.silent_s > 0.0) ++gaps_, silent_s_ += gap.silent_s;
   }
+  /// Counts a line whose time fields contradict the period of the lines, see timing_doubt().
+  void doubted(const std::string& text) { ++doubted_, newest_doubt_ = text; }
   /// Counts a line that reached the model and the time that it took; see to_string(LineResult) for
   /// `outcome`.
   void handled(const std::string& outcome, double seconds);
@@ -42,6 +44,8 @@ class LineLog {
   const std::string& newest_drop() const { return newest_drop_; }
   /// Returns the number of lines dropped for each reason.
   const std::map<std::string, std::size_t>& dropped_by_reason() const { return dropped_; }
+  /// Returns the newest doubt about the time fields of lines; empty unless most lines had one.
+  std::string timing_doubt() const { return 2 * doubted_ > received_ ? newest_doubt_ : ""; }
   /// Returns the number of lines with each outcome.
   const std::map<std::string, std::size_t>& handled_by_outcome() const { return handled_; }
   /// Returns the total computing time of all lines.
@@ -53,6 +57,8 @@ class LineLog {
   std::size_t received_ = 0;
   std::map<std::string, std::size_t> dropped_, handled_;
   std::string newest_drop_;
+  std::size_t doubted_ = 0;
+  std::string newest_doubt_;
   std::size_t lost_ = 0, gaps_ = 0;
   double silent_s_ = 0.0;
   double busy_s_ = 0.0;

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cstdio>
 #include <map>
+#include <utility>
 
 namespace ribbon_mapper {
 namespace {
@@ -42,9 +43,15 @@ std::string advice_on(const Counts& outcomes) {
          "--propose-preset FILE` writes a preset for the laser";
 }
 
-std::size_t count_of(const Counts& counts, LineResult result) {
-  const auto found = counts.find(to_string(result));
-  return found == counts.end() ? 0 : found->second;
+/// Returns what has come to the counts; all of them if one has become less: they began anew.
+Counts added_to(const Counts& before, const Counts& now) {
+  Counts added = now;
+  for (const auto& [what, count] : before) {
+    const auto found = added.find(what);
+    if (found == added.end() || found->second < count) return now;
+    if ((found->second -= count) == 0) added.erase(found);
+  }
+  return added;
 }
 
 }  // namespace
@@ -81,19 +88,16 @@ std::string why_no_planes(const LineLog& log, const ModelStatistics& statistics,
 }
 
 std::string BarrenLines::complaint(const LineLog& log) {
-  const Counts& outcomes = log.handled_by_outcome();
-  const std::size_t modelled = count_of(outcomes, LineResult::modelled);
-  std::size_t lines = 0;
-  for (const auto& [outcome, count] : outcomes) lines += count;
+  Counts counts = log.handled_by_outcome();
   // A laser at rest is no fault once there is a model.
-  if (modelled > 0) lines -= count_of(outcomes, LineResult::too_close);
-  const bool is_reset = lines < lines_before_ || modelled < modelled_before_;
-  const std::size_t lines_before = is_reset ? 0 : lines_before_;
-  const std::size_t modelled_before = is_reset ? 0 : modelled_before_;
-  lines_before_ = lines, modelled_before_ = modelled;
-  if (modelled > modelled_before || lines < lines_before + kFewLines) return "";
-  return std::to_string(lines - lines_before) + " lines are taken, but none gives a ribbon (" +
-         listed(outcomes) + " so far): " + advice_on(outcomes);
+  if (counts.count(to_string(LineResult::modelled)) > 0)
+    counts.erase(to_string(LineResult::too_close));
+  const Counts added = added_to(std::exchange(before_, counts), counts);
+  std::size_t lines = 0;
+  for (const auto& [outcome, count] : added) lines += count;
+  if (added.count(to_string(LineResult::modelled)) > 0 || lines < kFewLines) return "";
+  return std::to_string(lines) + " lines are taken, but none gives a ribbon (" + listed(added) +
+         "): " + advice_on(added);
 }
 
 }  // namespace ribbon_mapper

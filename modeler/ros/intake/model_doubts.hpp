@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <cstddef>
+#include <map>
 #include <string>
 
 #include "modeler/modeler.hpp"
@@ -29,7 +31,7 @@ class BarrenLines {
   std::string complaint(const LineLog& log);
 
  private:
-  std::size_t lines_before_ = 0, modelled_before_ = 0;
+  std::map<std::string, std::size_t> before_;  ///< lines by outcome, at the last call
 };
 
 }  // namespace ribbon_mapper

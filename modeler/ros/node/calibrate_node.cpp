@@ -15,8 +15,7 @@
 #include "modeler/ros/intake/line_intake.hpp"
 #include "modeler/ros/intake/tf_feed.hpp"
 #include "modeler/ros/messages/message_conversions.hpp"
-#include "modeler/ros/messages/transform_entry.hpp"
-#include "modeler/ros/node/strict_parameters.hpp"
+#include "modeler/ros/node/intake_parameters.hpp"
 #include "modeler/storage/atomic_file.hpp"
 #include "modeler/storage/disk.hpp"
 
@@ -25,28 +24,20 @@ namespace {
 
 constexpr double kTfCache_s = 120.0;
 
-struct NodeParameters {
+struct CalibrateParameters {
+  IntakeParameters lines;
   ModelerConfig config;
-  IntakeOptions intake;
-  std::set<std::string> tf_drop_frames;
   double travel_m;
   std::filesystem::path output;
 
-  static NodeParameters read() {
+  static CalibrateParameters read() {
     StrictParameters from;
-    NodeParameters p;
-    const std::string config = from.required_text("config", "a YAML file, such as config/pr2.yaml");
+    CalibrateParameters p;
+    p.lines = intake_parameters(from);
     p.output = std::filesystem::absolute(from.required_text("output", "the preset to write"));
-    Frames& frames = p.intake.frames;
-    frames.map = from.frame("map_frame", frames.map);
-    frames.odom = from.frame("odom_frame", frames.odom);
-    frames.base = from.frame("base_frame", frames.base);
-    p.intake.transform_timeout_s = from.number("transform_timeout", 2.0, 0.1, 60.0);
-    p.intake.scan_time_offset_s = from.number("scan_time_offset", 0.0, -1.0, 1.0);
-    p.tf_drop_frames = frames_from(from.text("tf_drop_frames", ""));
     p.travel_m = from.number("travel", 5.0, 1.0, 100.0);
     from.refuse_unknown();
-    p.config = load_config(config);
+    p.config = load_config(p.lines.config_file);
     return p;
   }
 };
@@ -56,10 +47,10 @@ struct NodeParameters {
 /// ended, or when somebody calls ~finish.
 class CalibrateNode {
  public:
-  explicit CalibrateNode(const NodeParameters& parameters)
+  explicit CalibrateNode(const CalibrateParameters& parameters)
       : parameters_(parameters),
-        intake_(parameters.intake, log_),
-        tf_(kTfCache_s, parameters.tf_drop_frames),
+        intake_(parameters.lines.options, log_),
+        tf_(kTfCache_s, parameters.lines.tf_drop_frames),
         tf_feed_(node_, tf_, [this] { check_clock(); }),
         calibrator_(parameters.config) {
     create_directory_for_files(parameters.output.parent_path());  // better now than after the drive
@@ -142,7 +133,7 @@ class CalibrateNode {
     }
   }
 
-  NodeParameters parameters_;
+  CalibrateParameters parameters_;
   ros::NodeHandle node_, private_node_{"~"};
   LineLog log_;
   LineIntake intake_;
@@ -163,7 +154,7 @@ int main(int argc, char** argv) {
   ros::init(argc, argv, "calibrate");
   const ros::NodeHandle keeps_logging_up;
   return ribbon_mapper::run_program("calibrate", [] {  // rosconsole may be down at its end
-    ribbon_mapper::CalibrateNode node(ribbon_mapper::NodeParameters::read());
+    ribbon_mapper::CalibrateNode node(ribbon_mapper::CalibrateParameters::read());
     ros::spin();
     return node.is_done() ? 0 : 1;
   });

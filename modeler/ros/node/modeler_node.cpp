@@ -14,11 +14,10 @@
 #include "modeler/ros/intake/tf_feed.hpp"
 #include "modeler/ros/intake/time_jump.hpp"
 #include "modeler/ros/messages/message_conversions.hpp"
-#include "modeler/ros/messages/transform_entry.hpp"
+#include "modeler/ros/node/intake_parameters.hpp"
 #include "modeler/ros/node/model_publisher.hpp"
 #include "modeler/ros/node/model_services.hpp"
 #include "modeler/ros/node/modeler_diagnostics.hpp"
-#include "modeler/ros/node/strict_parameters.hpp"
 #include "modeler/ros/node/turn_check.hpp"
 
 namespace ribbon_mapper {
@@ -26,31 +25,23 @@ namespace {
 
 constexpr const char* kStopped = "time went back, ~reset is awaited";
 
-struct NodeParameters {
+struct ModelerParameters {
+  IntakeParameters lines;
   ModelerConfig config;
-  IntakeOptions intake;
   double tf_cache_s;
-  std::set<std::string> tf_drop_frames;
   OnTimeJump on_time_jump;
   std::filesystem::path output_dir;
 
-  static NodeParameters read() {
+  static ModelerParameters read() {
     StrictParameters from;
-    NodeParameters p;
-    const std::string config = from.required_text("config", "a YAML file, such as config/pr2.yaml");
-    Frames& frames = p.intake.frames;
-    frames.map = from.frame("map_frame", frames.map);
-    frames.odom = from.frame("odom_frame", frames.odom);
-    frames.base = from.frame("base_frame", frames.base);
-    p.intake.transform_timeout_s = from.number("transform_timeout", 2.0, 0.1, 60.0);
-    p.intake.scan_time_offset_s = from.number("scan_time_offset", 0.0, -1.0, 1.0);
+    ModelerParameters p;
+    p.lines = intake_parameters(from);
     p.tf_cache_s = from.number("tf_cache", 120.0, 10.0, 3600.0);
-    p.tf_drop_frames = frames_from(from.text("tf_drop_frames", ""));
     p.on_time_jump = on_time_jump_from(from.text("on_time_jump", "reset"));
     p.output_dir = std::filesystem::absolute(
         from.filled_text("output_dir", "models", "a folder for saved models"));
     from.refuse_unknown();
-    p.config = load_config(config);
+    p.config = load_config(p.lines.config_file);
     return p;
   }
 };
@@ -58,7 +49,7 @@ struct NodeParameters {
 /// Runs the modeler on ROS. One thread serves all callbacks; none of them blocks.
 class ModelerNode {
  public:
-  explicit ModelerNode(const NodeParameters& parameters);
+  explicit ModelerNode(const ModelerParameters& parameters);
 
  private:
   void on_scan(const sensor_msgs::LaserScan& scan);
@@ -75,7 +66,7 @@ class ModelerNode {
   void warn_of_missing_lines();
   void warn_of_doubts();
 
-  NodeParameters parameters_;
+  ModelerParameters parameters_;
   ros::NodeHandle node_, private_node_{"~"};
   ModelKeeper keeper_;
   LineIntake intake_;
@@ -89,20 +80,20 @@ class ModelerNode {
   ros::WallTimer line_timer_, report_timer_;
   InputWatch watch_;
   BarrenLines barren_lines_;
-  bool has_warned_of_no_return_ = false;
+  bool has_warned_of_no_return_ = false, has_warned_of_timing_ = false;
   bool stopped_ = false;  ///< by a time jump, until ~reset
   TurnCheck turns_;
   std::size_t reports_ = 0, reported_lines_ = 0, reported_drops_ = 0;
   std::size_t reported_lost_ = 0, reported_gaps_ = 0;
 };
 
-ModelerNode::ModelerNode(const NodeParameters& parameters)
+ModelerNode::ModelerNode(const ModelerParameters& parameters)
     : parameters_(parameters),
       keeper_(parameters.config),
-      intake_(parameters.intake, keeper_.log()),
-      tf_(parameters.tf_cache_s, parameters.tf_drop_frames),
+      intake_(parameters.lines.options, keeper_.log()),
+      tf_(parameters.tf_cache_s, parameters.lines.tf_drop_frames),
       tf_feed_(node_, tf_, [this] { check_clock(); }),
-      publisher_(private_node_, parameters.intake.frames.map),
+      publisher_(private_node_, parameters.lines.options.frames.map),
       diagnostics_(keeper_, intake_, tf_, node_.resolveName("scan")),
       watch_(node_.resolveName("scan")) {
   reset_ = private_node_.advertiseService("reset", &ModelerNode::on_reset, this);
@@ -139,7 +130,8 @@ void ModelerNode::take_lines() {
 void ModelerNode::on_corrected_trajectory(const nav_msgs::Path& path) {
   take_lines();
   try {
-    const std::vector<StampedPose> trajectory = trajectory_of(path, parameters_.intake.frames.map);
+    const std::vector<StampedPose> trajectory =
+        trajectory_of(path, parameters_.lines.options.frames.map);
     keeper_.correct(trajectory);
     if (const auto text = turns_.contradiction(trajectory))
       ROS_WARN("Corrected, but %s", text->c_str());
@@ -164,15 +156,15 @@ bool ModelerNode::on_reset(std_srvs::Trigger::Request&, std_srvs::Trigger::Respo
 }
 
 bool ModelerNode::on_save(Save::Request& request, Save::Response& response) {
-  response =
-      save_response(request.name, keeper_, parameters_.output_dir, parameters_.intake.frames.map);
+  response = save_response(request.name, keeper_, parameters_.output_dir,
+                           parameters_.lines.options.frames.map);
   if (!response.success) ROS_ERROR("Not saved: %s", response.message.c_str());
   return true;
 }
 
 bool ModelerNode::on_get_model(GetModel::Request& request, GetModel::Response& response) {
   take_lines();
-  response = model_response(request, keeper_, parameters_.intake.frames.map);
+  response = model_response(request, keeper_, parameters_.lines.options.frames.map);
   return true;
 }
 
@@ -220,7 +212,8 @@ void ModelerNode::warn_of_drops() {
   const std::size_t dropped = log.dropped_lines();
   const std::size_t before = std::exchange(reported_drops_, dropped);
   if (dropped == before) return;
-  ROS_WARN("A line is dropped: %s. %zu dropped so far.", log.newest_drop().c_str(), dropped);
+  ROS_WARN("A line is dropped: %s. %zu dropped so far%s", log.newest_drop().c_str(), dropped,
+           watch_.frames_advice(intake_, tf_).c_str());
   const std::string lateness = watch_.lateness(intake_, tf_);
   if (!lateness.empty()) ROS_WARN("%s", lateness.c_str());
 }
@@ -249,6 +242,10 @@ void ModelerNode::warn_of_doubts() {
   if (no_return && !std::exchange(has_warned_of_no_return_, true)) {
     ROS_WARN("%s.", no_return_text(*no_return).c_str());
   }
+  const std::string timing = keeper_.log().timing_doubt();
+  if (!timing.empty() && !std::exchange(has_warned_of_timing_, true)) {
+    ROS_WARN("%s.", timing.c_str());
+  }
 }
 
 }  // namespace
@@ -258,7 +255,7 @@ int main(int argc, char** argv) {
   ros::init(argc, argv, "modeler");
   const ros::NodeHandle keeps_logging_up;
   try {
-    ribbon_mapper::ModelerNode node(ribbon_mapper::NodeParameters::read());
+    ribbon_mapper::ModelerNode node(ribbon_mapper::ModelerParameters::read());
     ros::spin();
   } catch (const std::exception& error) {
     ROS_FATAL("%s", error.what());

@@ -27,8 +27,10 @@
 namespace ribbon_mapper {
 namespace {
 
-/// Says which lines never came into the recording.
-void add_missing_lines(const LineLog& log, OfflineSummary& summary) {
+/// Says which lines never came into the recording, and whether their times can be right.
+void add_doubts_about_lines(const LineLog& log, OfflineSummary& summary) {
+  const std::string doubt = log.timing_doubt();
+  if (!doubt.empty()) summary.notes.push_back(doubt);
   summary.lost_lines = log.lost();
   if (log.lost() > 0) {
     summary.notes.push_back(counted(log.lost(), "line") +
@@ -77,7 +79,7 @@ void take_lines(const OfflineOptions& options, Modelling& modelling, OfflineSumm
   summary.notes = lines.choices();
   for (const std::string& warning : transform_warnings(transforms))
     summary.notes.push_back(warning);
-  add_missing_lines(keeper.log(), summary);
+  add_doubts_about_lines(keeper.log(), summary);
 }
 
 void require_ribbons(const ModelKeeper& keeper, const OfflineSummary& summary) {
