@@ -1,0 +1,76 @@
+// SPDX-FileCopyrightText: 2026 ribbon_mapper authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "slam/level/level_slam.hpp"
+
+#include <cmath>
+#include <stdexcept>
+
+namespace ribbon_mapper::slam {
+namespace {
+
+constexpr int kStepsOnTheWay = 3;
+constexpr int kStepsInTheEnd = 20;
+constexpr double kBent_m = 0.2;  // maps of places are made anew after so large a correction
+
+void require_finite(const LevelScan& scan, const PlanarPose& pose) {
+  bool is_finite = pose.vector().allFinite();
+  for (const LevelPoint& p : scan.points) {
+    is_finite = is_finite && std::isfinite(p.x_m) && std::isfinite(p.y_m) &&
+                std::isfinite(p.normal_x) && std::isfinite(p.normal_y);
+  }
+  if (!is_finite) throw std::invalid_argument("a scan or its odometry is not finite: leave it out");
+}
+
+}  // namespace
+
+LevelSlam::LevelSlam(const LevelSlamConfig& config)
+    : config_(config),
+      tracker_(config.tracker, config.match, config.odometry),
+      loops_(config.loop, config.match) {}
+
+void LevelSlam::add(const LevelScan& scan, const PlanarPose& T_odom_base) {
+  require_finite(scan, T_odom_base);
+  if (!stamps_.empty() && scan.stamp <= stamps_.back())
+    throw std::invalid_argument("a scan is not later than the one before: leave it out");
+  const TrackedScan tracked = tracker_.add(scan, T_odom_base);
+  scans_.push_back({scan.points, tracked});
+  stamps_.push_back(scan.stamp);
+  if (!tracked.is_keyframe) return;
+  add_to_graph();
+  close_loops();
+}
+
+void LevelSlam::add_to_graph() {
+  const Keyframe& keyframe = tracker_.keyframes().back();
+  if (graph_.poses().empty()) {
+    graph_.add_node({});
+    return;
+  }
+  const std::size_t last = graph_.poses().size() - 1;
+  graph_.add_node(graph_.poses().back() * keyframe.T_before_base);
+  graph_.add_edge({last, last + 1, keyframe.T_before_base, keyframe.information, 0.0});
+}
+
+void LevelSlam::close_loops() {
+  for (const Loop& loop : loops_.find(tracker_.keyframes(), graph_)) {
+    graph_.add_edge({loop.from, loop.to, loop.T_from_to, loop.information, config_.loop.kernel});
+    ++new_loops_;
+  }
+  if (new_loops_ == 0) return;
+  new_loops_ = 0;
+  if (graph_.optimise(kStepsOnTheWay) > kBent_m) loops_.forget_maps();
+}
+
+LevelSlamResult LevelSlam::finish() {
+  LevelSlamResult result;
+  graph_.optimise(kStepsInTheEnd);
+  result.loops = loops_.judged();
+  for (const Keyframe& keyframe : tracker_.keyframes())
+    result.keyframe_stamps.push_back(stamps_[keyframe.scan]);
+  const std::vector<PlanarPose> poses =
+      final_poses(scans_, tracker_.keyframes(), graph_.poses(), config_.final_match, config_.match);
+  for (std::size_t i = 0; i < poses.size(); ++i) result.trajectory.push_back({stamps_[i], poses[i]});
+  return result;
+}
+
+}  // namespace ribbon_mapper::slam

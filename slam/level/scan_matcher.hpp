@@ -1,0 +1,63 @@
+// SPDX-FileCopyrightText: 2026 ribbon_mapper authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <Eigen/Core>
+#include <optional>
+
+#include "slam/level/surface_map.hpp"
+
+namespace ribbon_mapper::slam {
+
+/// Settings for matching points against a surface.
+struct MatchConfig {
+  int max_steps = 15;              ///< Gauss-Newton; five are usual
+  double first_gate_m = 0.3;       ///< surfaces farther off do not count at the start
+  double last_gate_m = 0.15;       ///< and at the end
+  double first_width_m = 0.15;     ///< the surface is averaged over so much at the start
+  double last_width_m = 0.06;      ///< and at the end: about the spacing of the points
+  double least_scatter_m = 0.015;  ///< residuals within it count fully; the noise of a good laser
+  double most_scatter_m = 0.10;    ///< larger ones hardly count, however many there are
+  double agreeing_m = 0.10;        ///< a point agrees if its residual is smaller
+  /// Points of a scan err together (range offset, angle, clutter): the sum of their information is
+  /// divided by this. The median of the normalised innovations is 1 with it on recorded logs.
+  double correlated = 10.0;
+};
+
+/// What is known about a pose before matching.
+struct PosePrior {
+  PlanarPose T_map_base;                                     ///< expected
+  Eigen::Matrix3d information = Eigen::Matrix3d::Zero();     ///< of x, y [1/m^2], yaw [1/rad^2]
+};
+
+/// A pose that was found by matching.
+struct Match {
+  PlanarPose T_map_base;                                  ///< found
+  Eigen::Matrix3d information = Eigen::Matrix3d::Zero();  ///< of the points alone: x, y, yaw in map
+  double agreeing = 0.0;                                  ///< share of points that agree, 0..1
+  double cost = 0.0;                                      ///< mean robust residual, 0..1; 1: no point fits
+  int points = 0;                                         ///< that were compared
+};
+
+/// The linearised misfit of points at a pose.
+struct Misfit {
+  Eigen::Matrix3d hessian = Eigen::Matrix3d::Zero();     ///< of half the weighted squares [1/m^2]
+  Eigen::Vector3d gradient = Eigen::Vector3d::Zero();    ///< of the same, by x, y, yaw
+  double scatter_m = 0.0;                                ///< robust deviation of the residuals
+  double agreeing = 0.0;                                 ///< share of points that agree
+  double cost = 0.0;                                     ///< see Match
+  int points = 0;                                        ///< that were compared
+};
+
+/// Returns the misfit of points at a pose for surfaces averaged over `width_m` within `gate_m`.
+/// Residuals count by 1 / (1 + (r / scatter)^2)^2 (Geman and McClure 1987). Points without a normal
+/// are left out.
+Misfit misfit_at(const LevelPoints& points, const SurfaceMap& map, const PlanarPose& T_map_base,
+                 double width_m, double gate_m, const MatchConfig& config);
+
+/// Returns the pose at which the points fit the map best, found by Gauss-Newton steps from a guess.
+/// The prior is robust: it yields where many points contradict it.
+Match match(const LevelPoints& points, const SurfaceMap& map, const PlanarPose& guess,
+            const std::optional<PosePrior>& prior, const MatchConfig& config);
+
+}  // namespace ribbon_mapper::slam
