@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "slam/level/level_slam.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <stdexcept>
 
@@ -10,6 +11,9 @@ namespace {
 
 constexpr int kStepsOnTheWay = 3;
 constexpr int kStepsInTheEnd = 20;
+/// Loops that say what the graph knows wait for others: a step takes longer the larger the graph.
+constexpr double kSurprising = 6.0;  // squared normalised error of three numbers, 90 %
+constexpr std::size_t kManyLoops = 10;
 constexpr double kBent_m = 0.2;  // maps of places are made anew after so large a correction
 
 void require_finite(const LevelScan& scan, const PlanarPose& pose) {
@@ -52,11 +56,14 @@ void LevelSlam::add_to_graph() {
 }
 
 void LevelSlam::close_loops() {
+  double most = 0.0;
   for (const Loop& loop : loops_.find(tracker_.keyframes(), graph_)) {
-    graph_.add_edge({loop.from, loop.to, loop.T_from_to, loop.information, config_.loop.kernel});
+    const GraphEdge edge{loop.from, loop.to, loop.T_from_to, loop.information, config_.loop.kernel};
+    graph_.add_edge(edge);
+    most = std::max(most, graph_.chi2(edge));
     ++new_loops_;
   }
-  if (new_loops_ == 0) return;
+  if (new_loops_ == 0 || (most < kSurprising && new_loops_ < kManyLoops)) return;
   new_loops_ = 0;
   if (graph_.optimise(kStepsOnTheWay) > kBent_m) loops_.forget_maps();
 }

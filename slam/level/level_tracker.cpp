@@ -21,6 +21,17 @@ double least_information(const Eigen::Matrix3d& information) {
       .eigenvalues()(0);
 }
 
+/// Returns where the points alone see the robot, from where odometry does: the match is a weighted
+/// mean of both.
+PlanarPose innovation(const Match& found, const PosePrior& prior) {
+  const PlanarPose& expected = prior.T_map_base;
+  Eigen::Vector3d off = found.T_map_base.vector() - expected.vector();
+  off.z() = wrapped(off.z());
+  const Eigen::Vector3d alone =
+      off + found.information.ldlt().solve(found.prior_information * off);
+  return relative(expected, planar(expected.vector() + alone));
+}
+
 /// Returns an information of x, y, yaw that is given in a source, in target.
 Eigen::Matrix3d turned(const Eigen::Matrix3d& information, double yaw_target_source) {
   Eigen::Matrix3d R = Eigen::Matrix3d::Identity();
@@ -48,7 +59,7 @@ TrackedScan LevelTracker::add(const LevelScan& scan, const PlanarPose& T_odom_ba
   }
   const bool has_moved = step.translation().norm() > kMoved_m || std::abs(step.yaw_rad) > kMoved_rad;
   if (has_moved && least_information(found.information) > kWellObserved)
-    noise_.learn(step, relative(prior.T_map_base, found.T_map_base));
+    noise_.learn(step, innovation(found, prior));
   tracked = {keyframes_.size() - 1, found.T_map_base, found.agreeing, false};
   T_odom_last_ = T_odom_base, T_keyframe_last_ = found.T_map_base;
   const bool is_far = tracked.T_keyframe_base.translation().norm() > config_.keyframe_m ||

@@ -75,14 +75,15 @@ Match match(const LevelPoints& points, const SurfaceMap& map, const PlanarPose& 
     const Misfit misfit = misfit_at(points, map, pose, width, gate, config);
     // variance of one residual: points within the scatter, which is twice their deviation
     const double scale = 1.0 / (config.correlated * square(0.5 * misfit.scatter_m));
-    result = {pose, misfit.hessian * scale, misfit.agreeing, misfit.cost, misfit.points};
+    result = {pose, misfit.hessian * scale, Eigen::Matrix3d::Zero(), misfit.agreeing, misfit.cost, misfit.points};
     Eigen::Matrix3d H = result.information;
     Eigen::Vector3d g = misfit.gradient * scale;
     if (prior) {
       Eigen::Vector3d off = pose.vector() - prior->T_map_base.vector();
       off.z() = wrapped(off.z());
       const double share = prior_share(off.dot(prior->information * off));
-      H += share * prior->information, g += share * prior->information * off;
+      result.prior_information = share * prior->information;
+      H += result.prior_information, g += result.prior_information * off;
     }
     H.diagonal() += Eigen::Vector3d(1e-3, 1e-3, 1e-3);
     const Eigen::Vector3d delta = H.ldlt().solve(-g);

@@ -48,6 +48,10 @@ ROOMS = {
     "modeler/ros/bag_check": Room(_TOOLS + _ROS + ["modeler/ros/bag", "modeler/ros/bag_timing"],
                                   ANY),
     "modeler/ros/offline": Room(_TOOLS + _ROS + ["modeler/ros/bag", "modeler/ros/bag_check"], ANY),
+    # The estimate of the trajectory from a level laser knows beams, and nothing of planes.
+    "slam/level": Room(["modeler/geometry", "modeler/scan"], ["Eigen", "tsl"]),
+    "slam/ros": Room(_TOOLS + _ROS + ["modeler/ros/bag", "modeler/ros/bag_check", "slam/level"],
+                     ANY),
     # The simulator has its own beam geometry, so that an error in one cannot hide in the other.
     "sim/shapes": Room(_POSE, ["Eigen", "assimp", "sys"]),
     "sim/rays": Room(_POSE + ["sim/shapes"], ["Eigen", "BulletCollision", "embree3"]),
@@ -114,7 +118,7 @@ def _wrong_includes_of(path, name):
 def wrong_files(root):
     """Returns one message for each source that is too long, unlicensed, or in a drawer."""
     messages = []
-    for top in ["bench", "eval", "examples", "modeler", "sim", "test", "tools"]:
+    for top in ["bench", "eval", "examples", "modeler", "sim", "slam", "test", "tools"]:
         for path in sorted((root / top).rglob("*")):
             name = path.relative_to(root)
             if path.is_dir() and re.fullmatch(r"utils?|common|helpers?|misc", path.name):
@@ -128,7 +132,7 @@ def full_folders(root):
     """Returns one message for each folder with too many sources, tests among them."""
     folders = collections.Counter(
         path.parent.relative_to(root).as_posix()
-        for top in ["bench", "eval", "examples", "modeler", "sim", "test", "tools"]
+        for top in ["bench", "eval", "examples", "modeler", "sim", "slam", "test", "tools"]
         for path in (root / top).rglob("*") if path.suffix in SOURCES)
     return [f"{folder} holds {count} sources, more than {MAX_SOURCES_OF_A_FOLDER}"
             for folder, count in sorted(folders.items()) if count > MAX_SOURCES_OF_A_FOLDER]
