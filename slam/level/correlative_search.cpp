@@ -13,8 +13,8 @@
 namespace ribbon_mapper::slam {
 namespace {
 
-constexpr int kFull = 100;  // on a point
-constexpr int kBeside = 60;  // in the next cell
+constexpr int kFull = 100;                                   // on a point
+constexpr int kBeside = 60;                                  // in the next cell
 constexpr double kElsewhere_m = 0.6, kElsewhere_rad = 0.15;  // a second peak lies beyond
 
 int cell_of(double metres) { return floor_to_int(metres / CorrelativeSearch::kCell_m); }
@@ -27,10 +27,10 @@ struct CorrelativeSearch::Candidate {
 };
 
 struct CorrelativeSearch::Task {
-  std::vector<Offsets> points;   // by angle
-  std::vector<double> yaws;      // by angle
-  int radius = 0;                // in cells
-  int least = 0;                 // sums must be larger
+  std::vector<Offsets> points;  // by angle
+  std::vector<double> yaws;     // by angle
+  int radius = 0;               // in cells
+  int least = 0;                // sums must be larger
   std::optional<Candidate> found, excluded;
 
   bool is_excluded(const Candidate& c) const {
@@ -126,7 +126,8 @@ void CorrelativeSearch::descend(const Candidate& candidate, Task& task) const {
     for (const int dx : {0, half}) {
       const int x = candidate.x + dx, y = candidate.y + dy;
       if (x > task.radius || y > task.radius) continue;
-      parts[count++] = {level, candidate.angle, x, y, sum(task.points[candidate.angle], level, x, y)};
+      parts[count++] = {level, candidate.angle, x, y,
+                        sum(task.points[candidate.angle], level, x, y)};
     }
   }
   std::stable_sort(parts.begin(), parts.begin() + count,
@@ -166,7 +167,9 @@ std::optional<SearchResult> CorrelativeSearch::find(const LevelPoints& points,
   const auto first = best(task);
   if (!first) return std::nullopt;
   SearchResult result{{guess.x_m + first->x * kCell_m, guess.y_m + first->y * kCell_m,
-                       wrapped(task.yaws[first->angle])}, first->sum / full, 0.0};
+                       wrapped(task.yaws[first->angle])},
+                      first->sum / full,
+                      0.0};
   if (second_share <= 0.0) return result;
   task.excluded = first, task.least = static_cast<int>(second_share * first->sum);
   if (const auto second = best(task)) result.second_score = second->sum / full;

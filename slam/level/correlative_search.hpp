@@ -12,9 +12,9 @@ namespace ribbon_mapper::slam {
 
 /// How far a search goes about its guess.
 struct SearchWindow {
-  double radius_m = 1.0;      ///< half the side of the square of positions
-  double angle_rad = 0.1;     ///< to both sides
-  double least_score = 0.5;   ///< worse poses are not found
+  double radius_m = 1.0;     ///< half the side of the square of positions
+  double angle_rad = 0.1;    ///< to both sides
+  double least_score = 0.5;  ///< worse poses are not found
 };
 
 /// A pose that was found by a search.
@@ -36,8 +36,8 @@ class CorrelativeSearch {
   std::optional<SearchResult> find(const LevelPoints& points, const PlanarPose& guess,
                                    const SearchWindow& window, double second_share) const;
 
-  static constexpr double kCell_m = 0.1;         ///< accuracy of a position
-  static constexpr double kMaxExtent_m = 60.0;   ///< of the map, from its origin
+  static constexpr double kCell_m = 0.1;        ///< accuracy of a position
+  static constexpr double kMaxExtent_m = 60.0;  ///< of the map, from its origin
 
  private:
   static constexpr int kLevels = 6;

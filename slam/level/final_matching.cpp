@@ -51,7 +51,8 @@ std::vector<PlanarPose> guesses(const TrackedScan& tracked, const std::vector<Ke
 std::vector<PlanarPose> final_poses(const std::vector<ScanToPlace>& scans,
                                     const std::vector<Keyframe>& keyframes,
                                     const std::vector<PlanarPose>& T_map_keyframes,
-                                    const FinalMatchConfig& config, const MatchConfig& match_config) {
+                                    const FinalMatchConfig& config,
+                                    const MatchConfig& match_config) {
   std::vector<PlanarPose> poses;
   poses.reserve(scans.size());
   Around around;

@@ -108,7 +108,8 @@ LevelScan level_scan_of(const LaserBeams& beams, const Pose& T_base_laser,
 void append_moved(const LevelPoints& points, const PlanarPose& T_target_source,
                   LevelPoints& moved_points) {
   const double c = std::cos(T_target_source.yaw_rad), s = std::sin(T_target_source.yaw_rad);
-  for (const LevelPoint& point : points) moved_points.push_back(moved(point, T_target_source, c, s));
+  for (const LevelPoint& point : points)
+    moved_points.push_back(moved(point, T_target_source, c, s));
 }
 
 }  // namespace ribbon_mapper::slam

@@ -12,8 +12,8 @@ namespace ribbon_mapper::slam {
 
 /// Settings for making points of a level scan.
 struct LevelScanConfig {
-  double max_range_m = 30.0;      ///< farther returns are few and lie apart: they give no normal
-  double spacing_m = 0.04;        ///< least distance of kept points: near walls would outvote far ones
+  double max_range_m = 30.0;  ///< farther returns are few and lie apart: they give no normal
+  double spacing_m = 0.04;    ///< least distance of kept points: near walls would outvote far ones
   double normal_radius_m = 0.15;  ///< reach of a normal; longer than the noise of 1 to 3 cm
   double max_bend_m = 0.04;       ///< points scatter about a line by less; else no normal
   double max_tilt_rad = 0.1;      ///< a laser that is inclined more is not level
@@ -44,7 +44,8 @@ LevelScan level_scan_of(const LaserBeams& beams, const Pose& T_base_laser,
                         const PlanarPose& T_first_last, const LevelScanConfig& config);
 
 /// Returns a point that is given in source, in target.
-inline LevelPoint moved(const LevelPoint& p, const PlanarPose& T_target_source, double c, double s) {
+inline LevelPoint moved(const LevelPoint& p, const PlanarPose& T_target_source, double c,
+                        double s) {
   return {static_cast<float>(T_target_source.x_m + c * p.x_m - s * p.y_m),
           static_cast<float>(T_target_source.y_m + s * p.x_m + c * p.y_m),
           static_cast<float>(c * p.normal_x - s * p.normal_y),

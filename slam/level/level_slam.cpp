@@ -25,6 +25,10 @@ void require_finite(const LevelScan& scan, const PlanarPose& pose) {
   if (!is_finite) throw std::invalid_argument("a scan or its odometry is not finite: leave it out");
 }
 
+GraphEdge edge_of(const Loop& loop, double kernel) {
+  return {loop.from, loop.to, loop.T_from_to, loop.information, kernel};
+}
+
 }  // namespace
 
 LevelSlam::LevelSlam(const LevelSlamConfig& config)
@@ -58,7 +62,7 @@ void LevelSlam::add_to_graph() {
 void LevelSlam::close_loops() {
   double most = 0.0;
   for (const Loop& loop : loops_.find(tracker_.keyframes(), graph_)) {
-    const GraphEdge edge{loop.from, loop.to, loop.T_from_to, loop.information, config_.loop.kernel};
+    const GraphEdge edge = edge_of(loop, config_.loop.kernel);
     graph_.add_edge(edge);
     most = std::max(most, graph_.chi2(edge));
     ++new_loops_;
@@ -68,15 +72,36 @@ void LevelSlam::close_loops() {
   if (graph_.optimise(kStepsOnTheWay) > kBent_m) loops_.forget_maps();
 }
 
+/// Solves the graph without the loops that all others contradict, and returns all loops.
+std::vector<Loop> LevelSlam::settle() {
+  std::vector<Loop> loops = loops_.judged();
+  graph_.optimise(kStepsInTheEnd);
+  PoseGraph settled;
+  for (const PlanarPose& pose : graph_.poses()) settled.add_node(pose);
+  for (const GraphEdge& edge : graph_.edges())
+    if (edge.kernel <= 0.0) settled.add_edge(edge);
+  for (Loop& loop : loops) {
+    if (loop.verdict != LoopVerdict::accepted) continue;
+    const GraphEdge edge = edge_of(loop, config_.loop.kernel);
+    if (graph_.chi2(edge) > config_.loop.contradicted_chi2)
+      loop.verdict = LoopVerdict::contradicted;
+    else
+      settled.add_edge(edge);
+  }
+  settled.optimise(kStepsInTheEnd);
+  graph_ = std::move(settled);
+  return loops;
+}
+
 LevelSlamResult LevelSlam::finish() {
   LevelSlamResult result;
-  graph_.optimise(kStepsInTheEnd);
-  result.loops = loops_.judged();
+  result.loops = settle();
   for (const Keyframe& keyframe : tracker_.keyframes())
     result.keyframe_stamps.push_back(stamps_[keyframe.scan]);
   const std::vector<PlanarPose> poses =
       final_poses(scans_, tracker_.keyframes(), graph_.poses(), config_.final_match, config_.match);
-  for (std::size_t i = 0; i < poses.size(); ++i) result.trajectory.push_back({stamps_[i], poses[i]});
+  for (std::size_t i = 0; i < poses.size(); ++i)
+    result.trajectory.push_back({stamps_[i], poses[i]});
   return result;
 }
 

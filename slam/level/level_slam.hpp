@@ -17,12 +17,12 @@ namespace ribbon_mapper::slam {
 
 /// Settings of the SLAM for one level laser.
 struct LevelSlamConfig {
-  LevelScanConfig scan;            ///< see there
-  TrackerConfig tracker;           ///< see there
-  OdometryNoiseConfig odometry;    ///< see there
-  MatchConfig match;               ///< see there
-  LoopConfig loop;                 ///< see there
-  FinalMatchConfig final_match;    ///< see there
+  LevelScanConfig scan;          ///< see there
+  TrackerConfig tracker;         ///< see there
+  OdometryNoiseConfig odometry;  ///< see there
+  MatchConfig match;             ///< see there
+  LoopConfig loop;               ///< see there
+  FinalMatchConfig final_match;  ///< see there
 };
 
 /// A pose of the base in map with its time.
@@ -38,9 +38,9 @@ struct LevelSlamResult {
   std::vector<Time> keyframe_stamps;          ///< by keyframe
 };
 
-/// Estimates the trajectory of a robot from a level laser and odometry. The first scan is the origin
-/// of map. Scans are tracked as they come, and loops are closed on the way; in the end every scan
-/// is matched again. It has no clock and no random numbers: same input, same result.
+/// Estimates the trajectory of a robot from a level laser and odometry. The first scan is the
+/// origin of map. Scans are tracked as they come, and loops are closed on the way; in the end every
+/// scan is matched again. It has no clock and no random numbers: same input, same result.
 class LevelSlam {
  public:
   /// Creates an empty log.
@@ -63,6 +63,7 @@ class LevelSlam {
  private:
   void add_to_graph();
   void close_loops();
+  std::vector<Loop> settle();
 
   LevelSlamConfig config_;
   LevelTracker tracker_;

@@ -27,8 +27,7 @@ PlanarPose innovation(const Match& found, const PosePrior& prior) {
   const PlanarPose& expected = prior.T_map_base;
   Eigen::Vector3d off = found.T_map_base.vector() - expected.vector();
   off.z() = wrapped(off.z());
-  const Eigen::Vector3d alone =
-      off + found.information.ldlt().solve(found.prior_information * off);
+  const Eigen::Vector3d alone = off + found.information.ldlt().solve(found.prior_information * off);
   return relative(expected, planar(expected.vector() + alone));
 }
 
@@ -57,7 +56,8 @@ TrackedScan LevelTracker::add(const LevelScan& scan, const PlanarPose& T_odom_ba
   if (found.points > 0 && found.agreeing < config_.lost_below) {
     found = searched(scan.points, found, prior);
   }
-  const bool has_moved = step.translation().norm() > kMoved_m || std::abs(step.yaw_rad) > kMoved_rad;
+  const bool has_moved =
+      step.translation().norm() > kMoved_m || std::abs(step.yaw_rad) > kMoved_rad;
   if (has_moved && least_information(found.information) > kWellObserved)
     noise_.learn(step, innovation(found, prior));
   tracked = {keyframes_.size() - 1, found.T_map_base, found.agreeing, false};
@@ -66,8 +66,8 @@ TrackedScan LevelTracker::add(const LevelScan& scan, const PlanarPose& T_odom_ba
                       std::abs(tracked.T_keyframe_base.yaw_rad) > config_.keyframe_rad;
   if (!is_far) return tracked;
   // the way from the keyframe by odometry, for what the points leave open
-  const Eigen::Matrix3d odometry = turned(
-      noise_.information(relative(T_odom_keyframe_, T_odom_base)), found.T_map_base.yaw_rad);
+  const Eigen::Matrix3d odometry =
+      turned(noise_.information(relative(T_odom_keyframe_, T_odom_base)), found.T_map_base.yaw_rad);
   T_odom_keyframe_ = T_odom_base;
   add_keyframe(scan, tracked, found.information + odometry);
   return {keyframes_.size() - 1, {}, found.agreeing, true};

@@ -17,8 +17,8 @@ constexpr double kMatchSpacing_m = 0.1;
 /// Returns how far two loops are from saying the same.
 PlanarPose disagreement(const Loop& a, const Loop& b, const PoseGraph& graph) {
   const auto& poses = graph.poses();
-  const PlanarPose by_b = relative(poses[a.from], poses[b.from]) * b.T_from_to *
-                          relative(poses[b.to], poses[a.to]);
+  const PlanarPose by_b =
+      relative(poses[a.from], poses[b.from]) * b.T_from_to * relative(poses[b.to], poses[a.to]);
   return relative(a.T_from_to, by_b);
 }
 
@@ -57,8 +57,8 @@ std::vector<LoopFinder::Place> LoopFinder::places(const std::vector<Keyframe>& k
     // the query and the reference must not share keyframes
     if (keyframes[newest].way_m - keyframes[k].way_m < config_.query_m) break;
     const double distance = distance_m(poses[k], poses[newest]);
-    const bool is_possible = ways[k] > config_.least_way_m &&
-                             distance < radius_m(ways[k]) + config_.view_m;
+    const bool is_possible =
+        ways[k] > config_.least_way_m && distance < radius_m(ways[k]) + config_.view_m;
     if (!is_possible) {
       is_open = false;
       continue;
@@ -73,9 +73,9 @@ std::vector<LoopFinder::Place> LoopFinder::places(const std::vector<Keyframe>& k
   return places;
 }
 
-LevelPoints LoopFinder::surroundings(const std::vector<Keyframe>& keyframes,
-                                     const PoseGraph& graph, std::size_t centre, double before_m,
-                                     double after_m, std::size_t end) const {
+LevelPoints LoopFinder::surroundings(const std::vector<Keyframe>& keyframes, const PoseGraph& graph,
+                                     std::size_t centre, double before_m, double after_m,
+                                     std::size_t end) const {
   LevelPoints points;
   const double way_m = keyframes[centre].way_m;
   std::size_t first = centre;
@@ -91,10 +91,11 @@ const CorrelativeSearch& LoopFinder::map_of(const std::vector<Keyframe>& keyfram
   constexpr std::size_t kMostMaps = 100;  // of some megabytes
   auto& map = maps_[place.keyframe];
   if (!map) {
-    map = std::make_unique<CorrelativeSearch>(
-        surroundings(keyframes, graph, place.keyframe, config_.reference_m, config_.reference_m, end));
+    map = std::make_unique<CorrelativeSearch>(surroundings(
+        keyframes, graph, place.keyframe, config_.reference_m, config_.reference_m, end));
     if (maps_.size() > kMostMaps) {
-      const auto far = maps_.begin()->first == place.keyframe ? std::prev(maps_.end()) : maps_.begin();
+      const auto far =
+          maps_.begin()->first == place.keyframe ? std::prev(maps_.end()) : maps_.begin();
       maps_.erase(far);
     }
   }
@@ -115,19 +116,20 @@ bool LoopFinder::judge(const std::vector<Keyframe>& keyframes, const PoseGraph& 
   const auto hit = map_of(keyframes, graph, place, end)
                        .find(thinned(query, kSearchSpacing_m), guess, window, config_.second_share);
   if (!hit) return false;
-  const SurfaceMap map(
-      surroundings(keyframes, graph, place.keyframe, config_.reference_m, config_.reference_m, end));
+  const SurfaceMap map(surroundings(keyframes, graph, place.keyframe, config_.reference_m,
+                                    config_.reference_m, end));
   const Match found =
       match(thinned(query, kMatchSpacing_m), map, hit->T_map_base, std::nullopt, match_);
-  loop = {place.keyframe, newest, found.T_map_base, {}, hit->score, hit->second_score,
+  loop = {place.keyframe, newest,      found.T_map_base,        {}, hit->score, hit->second_score,
           found.agreeing, place.way_m, LoopVerdict::unsupported};
-  Eigen::Matrix3d covariance =
-      (found.information + 1e-3 * Eigen::Matrix3d::Identity()).inverse();
-  covariance.diagonal() += Eigen::Vector3d(square(config_.place_m), square(config_.place_m),
-                                           square(config_.place_rad));
+  Eigen::Matrix3d covariance = (found.information + 1e-3 * Eigen::Matrix3d::Identity()).inverse();
+  covariance.diagonal() +=
+      Eigen::Vector3d(square(config_.place_m), square(config_.place_m), square(config_.place_rad));
   loop.information = covariance.inverse();
-  if (found.agreeing < config_.least_agreeing) loop.verdict = LoopVerdict::disagreeing;
-  else if (hit->second_score > 0.0) loop.verdict = LoopVerdict::ambiguous;
+  if (found.agreeing < config_.least_agreeing)
+    loop.verdict = LoopVerdict::disagreeing;
+  else if (hit->second_score > 0.0)
+    loop.verdict = LoopVerdict::ambiguous;
   return true;
 }
 

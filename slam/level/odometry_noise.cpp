@@ -17,8 +17,8 @@ constexpr double kMostSquare = 16.0;  // a slip is no noise: the prior is robust
 Eigen::Vector3d OdometryNoise::deviations(const PlanarPose& step) const {
   const double way = step.translation().norm(), turn = std::abs(step.yaw_rad);
   const double xy = std::hypot(config_.per_metre_m * way, config_.at_rest_m);
-  const double yaw = std::hypot(config_.per_radian_rad * turn + config_.per_metre_rad * way,
-                                config_.at_rest_rad);
+  const double yaw =
+      std::hypot(config_.per_radian_rad * turn + config_.per_metre_rad * way, config_.at_rest_rad);
   return {xy, xy, yaw};
 }
 

@@ -10,14 +10,14 @@ namespace ribbon_mapper::slam {
 
 /// Settings for the noise of odometry.
 struct OdometryNoiseConfig {
-  double per_metre_m = 0.1;        ///< deviation of the position by way: a skid-steered robot's
-  double at_rest_m = 0.005;        ///< and of each step
-  double per_radian_rad = 0.1;     ///< deviation of the heading by turning
-  double per_metre_rad = 0.02;     ///< by way
-  double at_rest_rad = 0.003;      ///< and of each step
-  double least_scale = 0.1;        ///< odometry is never trusted more than ten times the above
-  double most_scale = 3.0;         ///< nor less than a third of it
-  double memory = 300.0;           ///< steps; a log's odometry is one robot's on one floor
+  double per_metre_m = 0.1;     ///< deviation of the position by way: a skid-steered robot's
+  double at_rest_m = 0.005;     ///< and of each step
+  double per_radian_rad = 0.1;  ///< deviation of the heading by turning
+  double per_metre_rad = 0.02;  ///< by way
+  double at_rest_rad = 0.003;   ///< and of each step
+  double least_scale = 0.1;     ///< odometry is never trusted more than ten times the above
+  double most_scale = 3.0;      ///< nor less than a third of it
+  double memory = 300.0;        ///< steps; a log's odometry is one robot's on one floor
 };
 
 /// Learns how exact the odometry of a robot is from the errors of its predictions.

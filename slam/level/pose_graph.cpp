@@ -87,7 +87,8 @@ double PoseGraph::optimise(int steps) {
       add_block(edge.to, edge.to, l.by_to.transpose() * W * l.by_to, triplets);
       add_block(edge.to, edge.from, l.by_to.transpose() * W * l.by_from, triplets);
       add_block(edge.from, edge.to, l.by_from.transpose() * W * l.by_to, triplets);
-      if (edge.from > 0) gradient.segment<3>(3 * edge.from - 3) += l.by_from.transpose() * W * l.error;
+      if (edge.from > 0)
+        gradient.segment<3>(3 * edge.from - 3) += l.by_from.transpose() * W * l.error;
       if (edge.to > 0) gradient.segment<3>(3 * edge.to - 3) += l.by_to.transpose() * W * l.error;
     }
     for (int i = 0; i < size; ++i) triplets.emplace_back(i, i, 1e-9);  // of nodes without edges

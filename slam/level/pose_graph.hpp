@@ -12,8 +12,8 @@ namespace ribbon_mapper::slam {
 
 /// A measured pose between two nodes of a graph.
 struct GraphEdge {
-  std::size_t from = 0, to = 0;  ///< nodes
-  PlanarPose T_from_to;          ///< as measured
+  std::size_t from = 0, to = 0;                               ///< nodes
+  PlanarPose T_from_to;                                       ///< as measured
   Eigen::Matrix3d information = Eigen::Matrix3d::Identity();  ///< of x, y, yaw in `from`
   /// Squared normalised errors far above it hardly count (Cauchy's kernel): the edge may be wrong.
   /// 0: it is right.
@@ -40,10 +40,6 @@ class PoseGraph {
   const std::vector<PlanarPose>& poses() const { return poses_; }
   /// Returns the edges.
   const std::vector<GraphEdge>& edges() const { return edges_; }
-  /// Sets the pose of a node.
-  void set_pose(std::size_t node, const PlanarPose& pose) { poses_[node] = pose; }
-  /// Removes the edges of a number and later ones.
-  void keep_edges(std::size_t count) { edges_.resize(count); }
 
  private:
   std::vector<PlanarPose> poses_;

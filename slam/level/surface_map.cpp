@@ -12,7 +12,7 @@
 namespace ribbon_mapper::slam {
 namespace {
 
-constexpr float kCell_m = 0.06F;  // as wide as the noise of a cheap laser: finer gains nothing
+constexpr float kCell_m = 0.06F;   // as wide as the noise of a cheap laser: finer gains nothing
 constexpr double kSameSide = 0.6;  // cosine between normals of one surface, noise included
 
 std::uint64_t key_of(const LevelPoint& p) {
@@ -32,7 +32,8 @@ SurfaceMap::SurfaceMap(const LevelPoints& points) {
   cells.reserve(points.size());
   for (const LevelPoint& p : points) {
     if (p.normal_x == 0.0F && p.normal_y == 0.0F) continue;
-    const auto [place, is_new] = places.emplace(key_of(p), static_cast<std::uint32_t>(cells.size()));
+    const auto [place, is_new] =
+        places.emplace(key_of(p), static_cast<std::uint32_t>(cells.size()));
     if (is_new) cells.emplace_back();
     Cell& cell = cells[place->second];
     cell.x += p.x_m, cell.y += p.y_m, cell.weight += 1.0F;

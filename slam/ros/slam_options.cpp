@@ -10,7 +10,8 @@ namespace ribbon_mapper::slam {
 namespace {
 
 constexpr const char* kDescription =
-    "Estimates the trajectory of a robot from the level laser and the odometry in a bag, without a\n"
+    "Estimates the trajectory of a robot from the level laser and the odometry in a bag, without "
+    "a\n"
     "ROS master. The same bag gives the same trajectory, byte for byte.\n"
     "Writes trajectory.tum (the base in map at each scan), loops.json (loops that were closed or\n"
     "refused, and why), map_points.txt and summary.json. The first pose is the origin of map.";

@@ -74,8 +74,8 @@ std::string summary_text(const SlamSummary& s) {
   text.imbue(std::locale::classic());
   text << std::fixed << std::setprecision(1);
   for (const std::string& note : s.notes) text << "WARNING " << note << "\n";
-  text << s.scans << " scans, " << s.poses << " poses, " << s.keyframes << " keyframes, "
-       << s.way_m << " m\n";
+  text << s.scans << " scans, " << s.poses << " poses, " << s.keyframes << " keyframes, " << s.way_m
+       << " m\n";
   for (const auto& [reason, count] : s.dropped_scans)
     text << "  dropped: " << count << " x " << reason << "\n";
   text << s.loop_candidates << " places searched for loops\n";
