@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "slam/level/level_tracker.hpp"
-#include "slam/level/scan_matcher.hpp"
+#include "slam/matching/scan_matcher.hpp"
 
 namespace ribbon_mapper::slam {
 

@@ -8,10 +8,10 @@
 
 #include "modeler/geometry/time.hpp"
 #include "slam/level/final_matching.hpp"
-#include "slam/level/level_scan.hpp"
 #include "slam/level/level_tracker.hpp"
 #include "slam/level/loop_finder.hpp"
 #include "slam/level/pose_graph.hpp"
+#include "slam/matching/level_scan.hpp"
 
 namespace ribbon_mapper::slam {
 

@@ -7,9 +7,9 @@
 #include <optional>
 #include <vector>
 
-#include "slam/level/correlative_search.hpp"
 #include "slam/level/odometry_noise.hpp"
-#include "slam/level/scan_matcher.hpp"
+#include "slam/matching/correlative_search.hpp"
+#include "slam/matching/scan_matcher.hpp"
 
 namespace ribbon_mapper::slam {
 

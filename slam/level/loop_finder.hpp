@@ -7,10 +7,10 @@
 #include <string>
 #include <vector>
 
-#include "slam/level/correlative_search.hpp"
 #include "slam/level/level_tracker.hpp"
 #include "slam/level/pose_graph.hpp"
-#include "slam/level/scan_matcher.hpp"
+#include "slam/matching/correlative_search.hpp"
+#include "slam/matching/scan_matcher.hpp"
 
 namespace ribbon_mapper::slam {
 

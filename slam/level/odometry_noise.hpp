@@ -4,7 +4,7 @@
 
 #include <Eigen/Core>
 
-#include "slam/level/planar_pose.hpp"
+#include "slam/matching/planar_pose.hpp"
 
 namespace ribbon_mapper::slam {
 

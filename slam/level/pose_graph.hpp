@@ -6,7 +6,7 @@
 #include <cstddef>
 #include <vector>
 
-#include "slam/level/planar_pose.hpp"
+#include "slam/matching/planar_pose.hpp"
 
 namespace ribbon_mapper::slam {
 

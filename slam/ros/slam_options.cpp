@@ -30,6 +30,8 @@ std::variant<SlamOptions, int> parse_slam_options(int argc, const char* const* a
   app.add_option("--bag", options.bags, "bags, read as one in the order of time")->required();
   app.add_option("--output", options.output, "folder for the results")->capture_default_str();
   add_bag_options(app, options.bag, tf_drop_frames);
+  app.add_option("--odometry", options.bag.odometry_topic,
+                 "topic of nav_msgs/Odometry, where tf has none, such as /odom");
   app.get_option("--scan")->description("topic of the level laser [the only topic with scans]");
   app.remove_option(app.get_option("--map-frame"));
   app.add_flag("--figure", options.with_figure,

@@ -49,9 +49,10 @@ ROOMS = {
                                   ANY),
     "modeler/ros/offline": Room(_TOOLS + _ROS + ["modeler/ros/bag", "modeler/ros/bag_check"], ANY),
     # The estimate of the trajectory from a level laser knows beams, and nothing of planes.
-    "slam/level": Room(["modeler/geometry", "modeler/scan"], ["Eigen", "tsl"]),
-    "slam/ros": Room(_TOOLS + _ROS + ["modeler/ros/bag", "modeler/ros/bag_check", "slam/level"],
-                     ANY),
+    "slam/matching": Room(["modeler/geometry", "modeler/scan"], ["Eigen", "tsl"]),
+    "slam/level": Room(["modeler/geometry", "slam/matching"], ["Eigen"]),
+    "slam/ros": Room(_TOOLS + _ROS + ["modeler/ros/bag", "modeler/ros/bag_check", "slam/matching",
+                                      "slam/level"], ANY),
     # The simulator has its own beam geometry, so that an error in one cannot hide in the other.
     "sim/shapes": Room(_POSE, ["Eigen", "assimp", "sys"]),
     "sim/rays": Room(_POSE + ["sim/shapes"], ["Eigen", "BulletCollision", "embree3"]),

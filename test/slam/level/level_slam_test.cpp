@@ -7,7 +7,7 @@
 #include <cmath>
 #include <limits>
 
-#include "test/slam/level/wall_world.hpp"
+#include "test/slam/matching/wall_world.hpp"
 
 namespace ribbon_mapper::slam {
 namespace {

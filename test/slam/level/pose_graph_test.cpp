@@ -49,7 +49,9 @@ TEST(PoseGraph, ReturnsToTheRingThatExactEdgesDescribe) {
   const std::vector<PlanarPose> truth = circle();
   PoseGraph graph;
   for (std::size_t i = 0; i < kNodes; ++i)  // far from the truth
-    graph.add_node(i == 0 ? truth[0] : truth[i] * PlanarPose{0.3, -0.2, 0.1 * std::sin(1.0 * i)});
+    graph.add_node(i == 0
+                       ? truth[0]
+                       : truth[i] * PlanarPose{0.3, -0.2, 0.1 * std::sin(static_cast<double>(i))});
   for (std::size_t i = 1; i < kNodes; ++i) graph.add_edge(edge(truth, i - 1, i));
   graph.add_edge(edge(truth, kNodes - 1, 0));
   EXPECT_GT(graph.optimise(20), 0.1);

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 ribbon_mapper authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "slam/level/scan_matcher.hpp"
+#include "slam/matching/scan_matcher.hpp"
 
 #include <Eigen/Dense>
 #include <algorithm>

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 ribbon_mapper authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "slam/level/surface_map.hpp"
+#include "slam/matching/surface_map.hpp"
 
 #include <tsl/robin_map.h>
 

@@ -5,7 +5,7 @@
 #include <random>
 #include <vector>
 
-#include "slam/level/level_scan.hpp"
+#include "slam/matching/level_scan.hpp"
 
 namespace ribbon_mapper::slam {
 

@@ -6,7 +6,7 @@
 
 #include "modeler/geometry/pose.hpp"
 #include "modeler/scan/laser_beams.hpp"
-#include "slam/level/planar_pose.hpp"
+#include "slam/matching/planar_pose.hpp"
 
 namespace ribbon_mapper::slam {
 

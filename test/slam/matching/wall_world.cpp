@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 ribbon_mapper authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "test/slam/level/wall_world.hpp"
+#include "test/slam/matching/wall_world.hpp"
 
 #include <cmath>
 #include <limits>

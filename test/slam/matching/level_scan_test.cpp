@@ -1,12 +1,12 @@
 // SPDX-FileCopyrightText: 2026 ribbon_mapper authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "slam/level/level_scan.hpp"
+#include "slam/matching/level_scan.hpp"
 
 #include <gtest/gtest.h>
 
 #include <limits>
 
-#include "test/slam/level/wall_world.hpp"
+#include "test/slam/matching/wall_world.hpp"
 
 namespace ribbon_mapper::slam {
 namespace {

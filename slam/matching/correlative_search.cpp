@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 ribbon_mapper authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "slam/level/correlative_search.hpp"
+#include "slam/matching/correlative_search.hpp"
 
 #include <tsl/robin_map.h>
 

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 ribbon_mapper authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "slam/level/level_scan.hpp"
+#include "slam/matching/level_scan.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -6,7 +6,7 @@
 #include <optional>
 #include <vector>
 
-#include "slam/level/level_scan.hpp"
+#include "slam/matching/level_scan.hpp"
 
 namespace ribbon_mapper::slam {
 

@@ -5,7 +5,7 @@
 #include <Eigen/Core>
 #include <optional>
 
-#include "slam/level/surface_map.hpp"
+#include "slam/matching/surface_map.hpp"
 
 namespace ribbon_mapper::slam {
 

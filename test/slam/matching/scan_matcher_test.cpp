@@ -1,10 +1,10 @@
 // SPDX-FileCopyrightText: 2026 ribbon_mapper authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "slam/level/scan_matcher.hpp"
+#include "slam/matching/scan_matcher.hpp"
 
 #include <gtest/gtest.h>
 
-#include "test/slam/level/wall_world.hpp"
+#include "test/slam/matching/wall_world.hpp"
 
 namespace ribbon_mapper::slam {
 namespace {
