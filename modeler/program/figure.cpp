@@ -39,6 +39,8 @@ const char* name_of(Figure figure) {
       return "dose_response";
     case Figure::model_views:
       return "model_views";
+    case Figure::level_map:
+      return "level_map";
   }
   return "";
 }

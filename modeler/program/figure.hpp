@@ -11,6 +11,7 @@ enum class Figure {
   before_after,   ///< planes of a run before and after its correction, from write_results()
   dose_response,  ///< counts and F1 over drift, from the summary.json of a series
   model_views,    ///< top and side view of a model, from the files of offline_modeler
+  level_map,      ///< points and trajectory from above, from the files of offline_slam
 };
 
 /// Draws <name>.svg and <name>.png from the files in `directory`, with matplotlib in a separate

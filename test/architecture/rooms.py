@@ -26,7 +26,6 @@ _METHOD = [f"modeler/{name}" for name in _CORE]
 _MODELER = _METHOD + ["modeler"]
 _TOOLS = _MODELER + ["modeler/calibration", "modeler/storage", "modeler/io",
                      "modeler/program"]
-_SLAM = ["slam/tilting"]
 _ROS = ["modeler/ros/messages", "modeler/ros/intake", "modeler/ros/node"]
 _SIM = ["sim/shapes", "sim/sdf", "sim/world", "sim/rays", "sim/robot", "sim/tour", "sim/truth"]
 _POSE = ["modeler/geometry/time.hpp", "modeler/geometry/pose.hpp"]
@@ -49,7 +48,13 @@ ROOMS = {
     "modeler/ros/bag_timing": Room(_TOOLS + _ROS + ["modeler/ros/bag"], ANY),
     "modeler/ros/bag_check": Room(_TOOLS + _ROS + ["modeler/ros/bag", "modeler/ros/bag_timing"],
                                   ANY),
-    "modeler/ros/offline": Room(_TOOLS + _ROS + _SLAM + ["modeler/ros/bag", "modeler/ros/bag_check"], ANY),
+    "modeler/ros/offline": Room(_TOOLS + _ROS + ["slam/tilting", "modeler/ros/bag",
+                                                 "modeler/ros/bag_check"], ANY),
+    # The estimate of the trajectory from a level laser knows beams, and nothing of planes.
+    "slam/matching": Room(["modeler/geometry", "modeler/scan"], ["Eigen", "tsl"]),
+    "slam/level": Room(["modeler/geometry", "slam/matching"], ["Eigen"]),
+    "slam/ros": Room(_TOOLS + _ROS + ["modeler/ros/bag", "modeler/ros/bag_check", "slam/matching",
+                                      "slam/level"], ANY),
     # The simulator has its own beam geometry, so that an error in one cannot hide in the other.
     "sim/shapes": Room(_POSE, ["Eigen", "assimp", "sys"]),
     "sim/rays": Room(_POSE + ["sim/shapes"], ["Eigen", "BulletCollision", "embree3"]),
@@ -67,7 +72,7 @@ ROOMS = {
     "eval/metrics": Room(_TOOLS + _SIM, ["Eigen"]),
     "eval/results": Room(_TOOLS + _SIM + ["eval/metrics", "eval/experiment"],
                          ["Eigen", "nlohmann"]),
-    "eval/experiment": Room(_TOOLS + _SIM + ["eval/metrics", "eval/results"],
+    "eval/experiment": Room(_TOOLS + _SIM + ["slam/tilting", "eval/metrics", "eval/results"],
                             ["Eigen", "CLI", "nlohmann", "sys"]),
     "eval/ros": Room(_TOOLS + _ROS + _SIM + ["sim/ros", "eval/metrics", "eval/results",
                                              "eval/experiment"], ANY),
@@ -116,7 +121,7 @@ def _wrong_includes_of(path, name):
 def wrong_files(root):
     """Returns one message for each source that is too long, unlicensed, or in a drawer."""
     messages = []
-    for top in ["bench", "eval", "examples", "modeler", "sim", "test", "tools"]:
+    for top in ["bench", "eval", "examples", "modeler", "sim", "slam", "test", "tools"]:
         for path in sorted((root / top).rglob("*")):
             name = path.relative_to(root)
             if path.is_dir() and re.fullmatch(r"utils?|common|helpers?|misc", path.name):
@@ -130,7 +135,7 @@ def full_folders(root):
     """Returns one message for each folder with too many sources, tests among them."""
     folders = collections.Counter(
         path.parent.relative_to(root).as_posix()
-        for top in ["bench", "eval", "examples", "modeler", "sim", "test", "tools"]
+        for top in ["bench", "eval", "examples", "modeler", "sim", "slam", "test", "tools"]
         for path in (root / top).rglob("*") if path.suffix in SOURCES)
     return [f"{folder} holds {count} sources, more than {MAX_SOURCES_OF_A_FOLDER}"
             for folder, count in sorted(folders.items()) if count > MAX_SOURCES_OF_A_FOLDER]

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "modeler/ros/bag/bag_lines.hpp"
 
+#include <nav_msgs/Odometry.h>
 #include <sensor_msgs/LaserScan.h>
 
 #include <stdexcept>
@@ -15,6 +16,19 @@ namespace {
 using Scan = sensor_msgs::LaserScan;
 
 constexpr int kMaxScansForFrame = 100;
+
+/// Returns the pose of odometry as tf has it.
+tf2_msgs::TFMessage transform_of(const nav_msgs::Odometry& odometry) {
+  tf2_msgs::TFMessage message;
+  geometry_msgs::TransformStamped& transform = message.transforms.emplace_back();
+  transform.header = odometry.header;
+  transform.child_frame_id = odometry.child_frame_id;
+  transform.transform.translation.x = odometry.pose.pose.position.x;
+  transform.transform.translation.y = odometry.pose.pose.position.y;
+  transform.transform.translation.z = odometry.pose.pose.position.z;
+  transform.transform.rotation = odometry.pose.pose.orientation;
+  return message;
+}
 
 }  // namespace
 
@@ -44,9 +58,25 @@ void BagLines::read_transforms() {
                  return true;
                });
   }
+  if (!options_.odometry_topic.empty()) read_odometry();
   find_laser_frame();
   if (transforms_.is_full()) read_again();
   transforms_.finish();
+}
+
+/// Adds the poses of odometry. Throws std::runtime_error if there are none.
+void BagLines::read_odometry() {
+  std::size_t count = 0;
+  bags_.read({options_.odometry_topic}, [&](const rosbag::MessageInstance& message) {
+    if (const auto odometry = message_of<nav_msgs::Odometry>(message)) {
+      transforms_.add(transform_of(*odometry), false, time_of(message.getTime()));
+      ++count;
+    }
+    return true;
+  });
+  if (count > 0) return;
+  throw std::runtime_error("no odometry on topic " + shown(options_.odometry_topic) +
+                           ": set it to a topic of nav_msgs/Odometry, see `rosbag info`");
 }
 
 /// Keeps only the transforms between the root and the frames in use.

@@ -25,6 +25,7 @@ namespace ribbon_mapper {
 struct BagOptions {
   std::string scan_topic;                ///< empty: see scan_topic_of()
   std::string tf_topic;                  ///< empty: see tf_topics_of()
+  std::string odometry_topic;            ///< nav_msgs/Odometry that stands in for tf; empty: none
   IntakeOptions intake;                  ///< frames and times
   NamedFrames named_frames;              ///< those that tf lacks are chosen, see choose_frames()
   std::set<std::string> tf_drop_frames;  ///< see enter_transforms()
@@ -66,6 +67,7 @@ class BagLines {
 
  private:
   void read_transforms();
+  void read_odometry();
   void read_again();
   void find_laser_frame();
   IntakeOptions with_frames_chosen();

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <nav_msgs/Odometry.h>
 #include <ros/serialization.h>
 #include <rosbag/message_instance.h>
 #include <sensor_msgs/LaserScan.h>
@@ -36,6 +37,9 @@ inline bool has_room(const std::vector<std::uint8_t>& bytes, const tf2_msgs::TFM
   std::memcpy(&count, bytes.data(), 4);
   return count <= bytes.size() / kSmallest;
 }
+
+/// Odometry has no lists: nothing is made room for.
+inline bool has_room(const std::vector<std::uint8_t>&, const nav_msgs::Odometry*) { return true; }
 
 /// Returns a message; nothing if it is of another type. Throws ros::Exception if it is damaged.
 template <typename Message>

@@ -1,0 +1,56 @@
+// SPDX-FileCopyrightText: 2026 ribbon_mapper authors
+// SPDX-License-Identifier: BSD-3-Clause
+//
+// Estimates the trajectory of a bag without a master: see `offline_slam --help`.
+
+#include <ros/time.h>
+#include <sys/resource.h>
+
+#include <chrono>
+#include <cstdio>
+
+#include "modeler/program/progress_bar.hpp"
+#include "modeler/program/run_program.hpp"
+#include "modeler/storage/disk.hpp"
+#include "slam/ros/slam_run.hpp"
+
+namespace {
+
+using namespace ribbon_mapper;
+using Clock = std::chrono::steady_clock;
+
+double seconds(const timeval& time) { return time.tv_sec + 1e-6 * time.tv_usec; }
+
+/// Adds the time and memory that the process has used so far.
+void add_cost(Clock::time_point start, slam::SlamSummary& summary) {
+  rusage usage{};
+  getrusage(RUSAGE_SELF, &usage);
+  summary.wall_s = std::chrono::duration<double>(Clock::now() - start).count();
+  summary.cpu_s = seconds(usage.ru_utime) + seconds(usage.ru_stime);
+  summary.peak_memory_mib = usage.ru_maxrss / 1024.0;
+}
+
+void run(const slam::SlamOptions& options) {
+  const Clock::time_point start = Clock::now();
+  create_directory_for_files(options.output);  // better now than after the work
+  slam::SlamRun result;
+  {
+    ProgressBar bar;
+    result = slam::run_slam(options, [&](const Progress& progress) { bar.show(progress); });
+  }
+  add_cost(start, result.summary);
+  slam::write_slam(result, options.output, options.with_figure);
+  std::printf("%sresults in %s\n", summary_text(result.summary).c_str(), options.output.c_str());
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  return run_program("offline_slam", [&] {
+    const auto options = slam::parse_slam_options(argc, argv);
+    if (const int* exit_code = std::get_if<int>(&options)) return *exit_code;
+    ros::Time::init();
+    run(std::get<slam::SlamOptions>(options));
+    return 0;
+  });
+}
