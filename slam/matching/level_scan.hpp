@@ -27,6 +27,7 @@ struct LevelPoint {
   float normal_y = 0.0F;  ///< of unit length with normal_x
 };
 
+/// Points in the order of their beams.
 using LevelPoints = std::vector<LevelPoint>;
 
 /// The points of one rotation of a level laser.

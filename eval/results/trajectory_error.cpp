@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 ribbon_mapper authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "eval/metrics/trajectory_error.hpp"
+#include "eval/results/trajectory_error.hpp"
 
 #include <Eigen/Geometry>
 #include <algorithm>

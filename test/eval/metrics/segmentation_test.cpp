@@ -8,7 +8,7 @@
 #include "eval/metrics/duplication.hpp"
 #include "eval/metrics/evops.hpp"
 #include "eval/metrics/segcomp.hpp"
-#include "test/eval/slow_segmentation.hpp"
+#include "test/eval/metrics/slow_segmentation.hpp"
 
 namespace ribbon_mapper::eval {
 namespace {
