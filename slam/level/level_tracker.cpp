@@ -50,7 +50,7 @@ TrackedScan LevelTracker::add(const LevelScan& scan, const PlanarPose& T_odom_ba
   }
   ++scans_;
   const PlanarPose step = relative(T_odom_last_, T_odom_base);
-  PosePrior prior{T_keyframe_last_ * step, {}};
+  PosePrior prior{T_keyframe_last_ * step, Eigen::Matrix3d::Zero()};
   prior.information = turned(noise_.information(step), prior.T_map_base.yaw_rad);
   Match found = match(scan.points, *map_, prior.T_map_base, prior, match_);
   if (found.points > 0 && found.agreeing < config_.lost_below) {

@@ -120,12 +120,13 @@ bool LoopFinder::judge(const std::vector<Keyframe>& keyframes, const PoseGraph& 
                                     config_.reference_m, end));
   const Match found =
       match(thinned(query, kMatchSpacing_m), map, hit->T_map_base, std::nullopt, match_);
-  loop = {place.keyframe, newest,      found.T_map_base,        {}, hit->score, hit->second_score,
-          found.agreeing, place.way_m, LoopVerdict::unsupported};
   Eigen::Matrix3d covariance = (found.information + 1e-3 * Eigen::Matrix3d::Identity()).inverse();
   covariance.diagonal() +=
       Eigen::Vector3d(square(config_.place_m), square(config_.place_m), square(config_.place_rad));
-  loop.information = covariance.inverse();
+  const Eigen::Matrix3d information = covariance.inverse();
+  loop = {place.keyframe, newest,      found.T_map_base,
+          information,    hit->score,  hit->second_score,
+          found.agreeing, place.way_m, LoopVerdict::unsupported};
   if (found.agreeing < config_.least_agreeing)
     loop.verdict = LoopVerdict::disagreeing;
   else if (hit->second_score > 0.0)
