@@ -50,12 +50,20 @@ void require_usable(const std::vector<StampedPose>& trajectory) {
 
 }  // namespace
 
-Correction::Correction(const TrackedPoses& recorded, const std::vector<StampedPose>& corrected) {
+Correction::Correction(const TrackedPoses& recorded, const std::vector<StampedPose>& corrected,
+                       const Correction* before) {
   require_usable(corrected);
   const Time first = recorded.stamps().front(), last = recorded.stamps().back();
+  poses_.reserve(std::min(corrected.size(), recorded.size()));
+  bool is_shared = before != nullptr;
   for (const StampedPose& pose : corrected) {
     if (pose.stamp < first || pose.stamp > last) continue;
-    poses_.push_back({pose, recorded_at(recorded, pose.stamp).T_odom_base});
+    is_shared = is_shared && before->poses_.holds(poses_.size(), pose);
+    if (is_shared) {
+      poses_.push_back_from(before->poses_, shared_++);
+    } else {
+      poses_.push_back({pose, recorded_at(recorded, pose.stamp).T_odom_base});
+    }
   }
   if (poses_.empty()) {
     throw std::invalid_argument(
@@ -82,6 +90,10 @@ Pose Correction::corrected(const TrackedPose& recorded) const {
   return interpolate(T_corrected_odom(from) * recorded.T_odom_base,
                      T_corrected_odom(after) * recorded.T_odom_base,
                      fraction_of(stamp, poses_.stamps()[from], poses_.stamps()[after]));
+}
+
+std::size_t Correction::unchanged(const TrackedPoses& recorded) const {
+  return shared_ == 0 ? 0 : count_until(recorded, poses_.stamps()[shared_ - 1]);
 }
 
 Pose Correction::T_corrected_odom(std::size_t index) const {

@@ -6,6 +6,12 @@
 
 namespace ribbon_mapper {
 
+void TrackedPoses::reserve(std::size_t count) {
+  stamps_.reserve(count);
+  T_map_base_.reserve(count);
+  T_odom_base_.reserve(count);
+}
+
 void TrackedPoses::reserve_one_more() {
   ribbon_mapper::reserve_one_more(stamps_);
   T_map_base_.reserve_one_more();
@@ -17,6 +23,18 @@ void TrackedPoses::push_back(const TrackedPose& pose) {
   stamps_.push_back(pose.in_map.stamp);
   T_map_base_.push_back(pose.in_map.T_map_base);
   T_odom_base_.push_back(pose.T_odom_base);
+}
+
+void TrackedPoses::push_back_from(const TrackedPoses& others, std::size_t index) {
+  reserve_one_more();
+  stamps_.push_back(others.stamps_[index]);
+  T_map_base_.push_back_from(others.T_map_base_, index);
+  T_odom_base_.push_back_from(others.T_odom_base_, index);
+}
+
+bool TrackedPoses::holds(std::size_t index, const StampedPose& in_map) const {
+  return index < size() && stamps_[index] == in_map.stamp &&
+         T_map_base_.holds(index, in_map.T_map_base);
 }
 
 void TrackedPoses::keep(const std::vector<std::uint32_t>& indices) {

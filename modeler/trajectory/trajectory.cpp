@@ -22,23 +22,34 @@ void Trajectory::add(const TrackedPose& recorded) {
 
 void Trajectory::correct(const std::vector<StampedPose>& corrected) {
   if (recorded_.empty()) throw std::invalid_argument("there is no model to correct yet");
-  Correction correction(recorded_, corrected);
+  Correction correction(recorded_, corrected, is_as_corrected_ ? &*correction_ : nullptr);
   if (T_map_base_.empty()) T_map_base_ = recorded_.T_map_base();
-  for (std::size_t i = 0; i < size(); ++i) T_map_base_.set(i, correction.corrected(recorded_[i]));
+  for (std::size_t i = correction.unchanged(recorded_); i < size(); ++i) {
+    T_map_base_.set(i, correction.corrected(recorded_[i]));
+  }
   correction_ = std::move(correction);
+  is_as_corrected_ = true;
 }
 
 void Trajectory::refine(const std::vector<StampedPose>& poses) {
   for (std::size_t i = 0; i < size(); ++i) T_map_base_.set(i, poses[i].T_map_base);
+  is_as_corrected_ = false;
 }
 
 void Trajectory::keep(const std::vector<std::uint32_t>& indices) {
   recorded_.keep(indices);
   if (!T_map_base_.empty()) T_map_base_.keep(indices);
+  is_as_corrected_ = false;
 }
 
-Pose Trajectory::T_map_base(std::size_t index) const {
-  return T_map_base_.empty() ? recorded_.T_map_base()[index] : T_map_base_[index];
+const PackedPoses& Trajectory::poses_now() const {
+  return T_map_base_.empty() ? recorded_.T_map_base() : T_map_base_;
+}
+
+Pose Trajectory::T_map_base(std::size_t index) const { return poses_now()[index]; }
+
+std::size_t Trajectory::common_with(const Trajectory& other) const {
+  return poses_now().common_with(other.poses_now());
 }
 
 std::vector<StampedPose> Trajectory::poses() const {

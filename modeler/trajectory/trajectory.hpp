@@ -44,6 +44,8 @@ class Trajectory {
   Pose T_map_base(std::size_t index) const;
   /// Returns all poses as they are now.
   std::vector<StampedPose> poses() const;
+  /// Returns the number of the first poses that are those of `other`, bit by bit.
+  std::size_t common_with(const Trajectory& other) const;
   /// Returns all poses as they were recorded.
   const TrackedPoses& recorded() const { return recorded_; }
   /// Returns true if the trajectory has been corrected.
@@ -55,10 +57,13 @@ class Trajectory {
   std::size_t memory_bytes() const;
 
  private:
+  const PackedPoses& poses_now() const;
+
   TrajectoryConfig config_;
   TrackedPoses recorded_;
   PackedPoses T_map_base_;  // empty before the first correction
   std::optional<Correction> correction_;
+  bool is_as_corrected_ = false;  // all poses are what the correction says of the recorded ones
 };
 
 }  // namespace ribbon_mapper
