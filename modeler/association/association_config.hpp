@@ -23,9 +23,9 @@ struct AssociationConfig {
   AssociationGates corrected{2.0, 0.03};
 
   /// Smallest number of ribbons between two checkpoints of a corrected model (0: no checkpoints,
-  /// every correction associates all ribbons). About three seconds of a tour: a correction that
-  /// moves less is as quick as one that moves nothing.
-  int checkpoint_ribbons = 256;
+  /// every correction associates all ribbons). A robot sees as many in about six seconds: half of
+  /// what an estimate of the trajectory usually revises. Memory is that of what changes meanwhile.
+  int checkpoint_ribbons = 512;
 };
 
 }  // namespace ribbon_mapper

@@ -34,7 +34,7 @@ std::vector<Share> shares_of(const SharedVector<Hypothesis>& hypotheses,
         ids.push_back(ids_before[ribbon]);
       }
     }
-    std::sort(ids.begin(), ids.end());
+    if (!std::is_sorted(ids.begin(), ids.end())) std::sort(ids.begin(), ids.end());
     for (auto id = ids.begin(), next = id; id != ids.end(); id = next) {
       next = std::upper_bound(id, ids.end(), *id);
       shares.push_back({static_cast<std::size_t>(next - id), *id, slot});
