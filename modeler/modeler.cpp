@@ -49,26 +49,34 @@ struct Modeler::State {
             Checkpoints(config.association.checkpoint_ribbons)};
   }
 
-  /// Adds the ribbons of the newest line to the evaluation.
-  void associate() {
+  /// Adds the next ribbons, which are those of one line, to an evaluation of `all` ribbons.
+  void add_line(const Pose& T_model_base, bool is_corrected, std::uint32_t all,
+                Evaluation& made) const {
     const std::vector<Ribbon>& ribbons = observations.ribbons();
-    const Trajectory& trajectory = observations.trajectory();
-    const Pose T_model_base = observations.T_model_base(trajectory.size() - 1);
-    Evaluation& now = evaluation;
-    if (trajectory.is_corrected()) now.checkpoints.offer(now.map, now.ribbons, now.ribbons);
-    for (std::uint32_t& i = now.ribbons; i < ribbons.size(); ++i) {
-      now.map.add({ribbons[i], T_model_base}, i);
+    if (is_corrected) made.checkpoints.offer(made.map, made.ribbons, all);
+    const std::uint32_t line = ribbons[made.ribbons].pose;
+    for (std::uint32_t& i = made.ribbons; i < ribbons.size() && ribbons[i].pose == line; ++i) {
+      made.map.add({ribbons[i], T_model_base}, i);
     }
+  }
+
+  /// Adds the ribbons of the newest line, if it has any, to the evaluation.
+  void associate() {
+    if (evaluation.ribbons == observations.ribbons().size()) return;
+    const Trajectory& trajectory = observations.trajectory();
+    add_line(observations.T_model_base(trajectory.size() - 1), trajectory.is_corrected(),
+             evaluation.ribbons, evaluation);
   }
 
   /// Adds all further ribbons to an evaluation, at the poses of a trajectory.
   void complete(const Trajectory& trajectory, Evaluation& made) const {
-    const PosedObservations posed = observations.posed_at(trajectory);
-    const auto count = static_cast<std::uint32_t>(posed.ribbon_count());
-    for (std::uint32_t& i = made.ribbons; i < count; ++i) {
-      const bool begins_line = i > 0 && posed.source(i).pose != posed.source(i - 1).pose;
-      if (begins_line && trajectory.is_corrected()) made.checkpoints.offer(made.map, i, count);
-      made.map.add(posed.ribbon(i), i);
+    const std::vector<Ribbon>& ribbons = observations.ribbons();
+    if (ribbons.empty()) return;
+    const auto all = static_cast<std::uint32_t>(ribbons.size());
+    const Pose T_model_map = trajectory.T_map_base(0).inverse(Eigen::Isometry);
+    while (made.ribbons < all) {
+      const Pose T_map_base = trajectory.T_map_base(ribbons[made.ribbons].pose);
+      add_line(T_model_map * T_map_base, trajectory.is_corrected(), all, made);
     }
   }
 

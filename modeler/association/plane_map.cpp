@@ -13,38 +13,6 @@ namespace {
 
 constexpr std::int64_t kNoId = -1;  // of a ribbon that is in no hypothesis
 
-/// The number of ribbons that the hypothesis at a slot shares with a former one.
-struct Share {
-  std::size_t ribbons;
-  std::int64_t id;  // of the former one
-  std::uint32_t slot;
-};
-
-/// Returns the shares of all hypotheses, the largest first. See PlaneMap::take_ids_from().
-std::vector<Share> shares_of(const SharedVector<Hypothesis>& hypotheses,
-                             const std::vector<std::int64_t>& ids_before,
-                             const std::vector<std::uint32_t>& index_before) {
-  std::vector<Share> shares;
-  std::vector<std::int64_t> ids;  // former ids of the ribbons of one hypothesis
-  for (std::uint32_t slot = 0; slot < hypotheses.size(); ++slot) {
-    ids.clear();
-    for (const Member& member : hypotheses[slot].members()) {
-      const std::size_t ribbon = index_before.empty() ? member.ribbon : index_before[member.ribbon];
-      if (ribbon < ids_before.size() && ids_before[ribbon] != kNoId) {
-        ids.push_back(ids_before[ribbon]);
-      }
-    }
-    if (!std::is_sorted(ids.begin(), ids.end())) std::sort(ids.begin(), ids.end());
-    for (auto id = ids.begin(), next = id; id != ids.end(); id = next) {
-      next = std::upper_bound(id, ids.end(), *id);
-      shares.push_back({static_cast<std::size_t>(next - id), *id, slot});
-    }
-  }
-  std::stable_sort(shares.begin(), shares.end(),
-                   [](const Share& a, const Share& b) { return a.ribbons > b.ribbons; });
-  return shares;
-}
-
 }  // namespace
 
 PlaneMap::PlaneMap(double reach_m, const AssociationGates& gates, std::int64_t first_id)
@@ -200,10 +168,11 @@ bool PlaneMap::absorb_neighbours(std::uint32_t slot) {
   return changed;
 }
 
-/// Returns the id of each ribbon's hypothesis, or kNoId.
-std::vector<std::int64_t> PlaneMap::ids_of_ribbons() const {
+/// Returns the id of each ribbon's hypothesis, or kNoId. Leaves out hypotheses that `now` shares.
+std::vector<std::int64_t> PlaneMap::ids_of_ribbons(const PlaneMap& now) const {
   std::vector<std::int64_t> ids;
   for (std::uint32_t slot = 0; slot < hypotheses_.size(); ++slot) {
+    if (hypotheses_.shares(slot, now.hypotheses_)) continue;
     for (const Member& member : hypotheses_[slot].members()) {
       if (member.ribbon >= ids.size()) ids.resize(member.ribbon + 1, kNoId);
       ids[member.ribbon] = ids_[slot];
@@ -212,11 +181,48 @@ std::vector<std::int64_t> PlaneMap::ids_of_ribbons() const {
   return ids;
 }
 
+/// Adds the shares of the hypothesis at a slot, given the former ids of its ribbons.
+void PlaneMap::add_shares(std::uint32_t slot, std::vector<std::int64_t>& ids,
+                          std::vector<Share>& shares) {
+  if (!std::is_sorted(ids.begin(), ids.end())) std::sort(ids.begin(), ids.end());
+  for (auto id = ids.begin(), next = id; id != ids.end(); id = next) {
+    next = std::upper_bound(id, ids.end(), *id);
+    shares.push_back({static_cast<std::size_t>(next - id), *id, slot});
+  }
+}
+
+/// Returns the numbers of ribbons that each hypothesis shares with those of `before`, the largest
+/// first. See take_ids_from().
+std::vector<PlaneMap::Share> PlaneMap::shares_with(
+    const PlaneMap& before, const std::vector<std::uint32_t>& index_before) const {
+  const std::vector<std::int64_t> ids_before = before.ids_of_ribbons(*this);
+  std::vector<Share> shares;
+  std::vector<std::int64_t> ids;  // former ids of the ribbons of one hypothesis
+  for (std::uint32_t slot = 0; slot < hypotheses_.size(); ++slot) {
+    const std::vector<Member>& members = hypotheses_[slot].members();
+    if (hypotheses_.shares(slot, before.hypotheses_)) {  // the same ribbons
+      if (!members.empty()) shares.push_back({members.size(), before.ids_[slot], slot});
+      continue;
+    }
+    ids.clear();
+    for (const Member& member : members) {
+      const std::size_t ribbon = index_before.empty() ? member.ribbon : index_before[member.ribbon];
+      if (ribbon >= ids_before.size() || ids_before[ribbon] == kNoId) continue;
+      ids.push_back(ids_before[ribbon]);
+    }
+    add_shares(slot, ids, shares);
+  }
+  std::stable_sort(shares.begin(), shares.end(),
+                   [](const Share& a, const Share& b) { return a.ribbons > b.ribbons; });
+  return shares;
+}
+
 void PlaneMap::take_ids_from(const PlaneMap& before,
                              const std::vector<std::uint32_t>& index_before) {
   std::unordered_set<std::int64_t> taken;
+  taken.reserve(hypotheses_.size());
   std::vector<bool> named(hypotheses_.size(), false);
-  for (const Share& share : shares_of(hypotheses_, before.ids_of_ribbons(), index_before)) {
+  for (const Share& share : shares_with(before, index_before)) {
     if (named[share.slot] || !taken.insert(share.id).second) continue;
     ids_[share.slot] = share.id;
     named[share.slot] = true;

@@ -61,7 +61,17 @@ class PlaneMap {
   std::size_t memory_bytes() const;
 
  private:
-  std::vector<std::int64_t> ids_of_ribbons() const;
+  /// The number of ribbons that the hypothesis at a slot shares with a former one.
+  struct Share {
+    std::size_t ribbons;
+    std::int64_t id;  // of the former one
+    std::uint32_t slot;
+  };
+  std::vector<std::int64_t> ids_of_ribbons(const PlaneMap& now) const;
+  static void add_shares(std::uint32_t slot, std::vector<std::int64_t>& ids,
+                         std::vector<Share>& shares);
+  std::vector<Share> shares_with(const PlaneMap& before,
+                                 const std::vector<std::uint32_t>& index_before) const;
 
   /// A hypothesis' plane in single precision, a quarter of a cache line. Rejects most of the
   /// ribbons near a hypothesis that do not belong to it.

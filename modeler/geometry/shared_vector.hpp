@@ -8,6 +8,8 @@
 #include <utility>
 #include <vector>
 
+#include "modeler/geometry/vector_storage.hpp"
+
 namespace ribbon_mapper {
 
 /// A vector whose copies share their elements, in blocks, until one of them changes an element.
@@ -31,11 +33,19 @@ class SharedVector {
   }
   /// Appends an element.
   void push_back(Element element) {
-    if (size_ % kWidth == 0) blocks_.push_back(std::make_shared<Block>());
+    if (size_ % kWidth == 0) {
+      reserve_one_more(blocks_);
+      blocks_.push_back(std::make_shared<Block>());
+    }
     edit(size_) = std::move(element);
     ++size_;
   }
 
+  /// Returns true if an element is the same object in memory as that of `other`.
+  bool shares(std::size_t index, const SharedVector& other) const {
+    return index < size_ && index < other.size_ &&
+           blocks_[index / kWidth] == other.blocks_[index / kWidth];
+  }
   /// Calls function(element) for each element whose block `other` does not share.
   template <typename Function>
   void for_each_unshared(const SharedVector& other, const Function& function) const {
