@@ -22,9 +22,9 @@ void PackedPoses::push_back(const Pose& pose) {
   poses_.push_back(packed(pose));
 }
 
-void PackedPoses::push_back_from(const PackedPoses& others, std::size_t index) {
-  reserve_one_more();
-  poses_.push_back(others.poses_[index]);
+void PackedPoses::append_first(std::size_t count, const PackedPoses& others) {
+  const auto first = others.poses_.begin();
+  poses_.insert(poses_.end(), first, first + static_cast<std::ptrdiff_t>(count));
 }
 
 bool PackedPoses::holds(std::size_t index, const Pose& pose) const {

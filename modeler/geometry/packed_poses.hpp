@@ -22,8 +22,8 @@ class PackedPoses {
   void push_back(const Pose& pose);
   /// Replaces the pose at `index`.
   void set(std::size_t index, const Pose& pose) { poses_[index] = packed(pose); }
-  /// Appends the pose at `index` of `others`.
-  void push_back_from(const PackedPoses& others, std::size_t index);
+  /// Appends the first `count` poses of `others`.
+  void append_first(std::size_t count, const PackedPoses& others);
   /// Returns true if the pose at `index` is this one, bit by bit.
   bool holds(std::size_t index, const Pose& pose) const;
   /// Returns the number of the first poses that both have in common, bit by bit.

@@ -54,16 +54,18 @@ Correction::Correction(const TrackedPoses& recorded, const std::vector<StampedPo
                        const Correction* before) {
   require_usable(corrected);
   const Time first = recorded.stamps().front(), last = recorded.stamps().back();
-  poses_.reserve(std::min(corrected.size(), recorded.size()));
-  bool is_shared = before != nullptr;
-  for (const StampedPose& pose : corrected) {
-    if (pose.stamp < first || pose.stamp > last) continue;
-    is_shared = is_shared && before->poses_.holds(poses_.size(), pose);
-    if (is_shared) {
-      poses_.push_back_from(before->poses_, shared_++);
-    } else {
-      poses_.push_back({pose, recorded_at(recorded, pose.stamp).T_odom_base});
-    }
+  const auto begin = std::find_if(corrected.begin(), corrected.end(),
+                                  [&](const StampedPose& pose) { return pose.stamp >= first; });
+  const auto end = std::find_if(begin, corrected.end(),
+                                [&](const StampedPose& pose) { return pose.stamp > last; });
+  poses_.reserve(static_cast<std::size_t>(end - begin));
+  auto pose = begin;
+  if (before) {
+    while (pose != end && before->poses_.holds(shared_, *pose)) ++pose, ++shared_;
+    poses_.append_first(shared_, before->poses_);
+  }
+  for (; pose != end; ++pose) {
+    poses_.push_back({*pose, recorded_at(recorded, pose->stamp).T_odom_base});
   }
   if (poses_.empty()) {
     throw std::invalid_argument(

@@ -25,11 +25,11 @@ void TrackedPoses::push_back(const TrackedPose& pose) {
   T_odom_base_.push_back(pose.T_odom_base);
 }
 
-void TrackedPoses::push_back_from(const TrackedPoses& others, std::size_t index) {
-  reserve_one_more();
-  stamps_.push_back(others.stamps_[index]);
-  T_map_base_.push_back_from(others.T_map_base_, index);
-  T_odom_base_.push_back_from(others.T_odom_base_, index);
+void TrackedPoses::append_first(std::size_t count, const TrackedPoses& others) {
+  const auto first = others.stamps_.begin();
+  stamps_.insert(stamps_.end(), first, first + static_cast<std::ptrdiff_t>(count));
+  T_map_base_.append_first(count, others.T_map_base_);
+  T_odom_base_.append_first(count, others.T_odom_base_);
 }
 
 bool TrackedPoses::holds(std::size_t index, const StampedPose& in_map) const {

@@ -26,8 +26,8 @@ class TrackedPoses {
   void reserve_one_more();
   /// Appends a pose. Its stamp must be later than that of the last one.
   void push_back(const TrackedPose& pose);
-  /// Appends the pose at `index` of `others`. Its stamp must be later than that of the last one.
-  void push_back_from(const TrackedPoses& others, std::size_t index);
+  /// Appends the first `count` poses of `others`, which must be later than the last one.
+  void append_first(std::size_t count, const TrackedPoses& others);
   /// Returns true if there is a pose at `index` and it has this stamp and pose in map, bit by bit.
   bool holds(std::size_t index, const StampedPose& in_map) const;
   /// Keeps only the poses at these ascending indices.
