@@ -2,9 +2,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "modeler/association/plane_map.hpp"
 
+#include <tsl/robin_set.h>
+
 #include <algorithm>
 #include <cmath>
-#include <unordered_set>
 
 #include "modeler/geometry/vector_storage.hpp"
 
@@ -197,6 +198,7 @@ std::vector<PlaneMap::Share> PlaneMap::shares_with(
     const PlaneMap& before, const std::vector<std::uint32_t>& index_before) const {
   const std::vector<std::int64_t> ids_before = before.ids_of_ribbons(*this);
   std::vector<Share> shares;
+  shares.reserve(hypotheses_.size());
   std::vector<std::int64_t> ids;  // former ids of the ribbons of one hypothesis
   for (std::uint32_t slot = 0; slot < hypotheses_.size(); ++slot) {
     const std::vector<Member>& members = hypotheses_[slot].members();
@@ -219,7 +221,7 @@ std::vector<PlaneMap::Share> PlaneMap::shares_with(
 
 void PlaneMap::take_ids_from(const PlaneMap& before,
                              const std::vector<std::uint32_t>& index_before) {
-  std::unordered_set<std::int64_t> taken;
+  tsl::robin_set<std::int64_t> taken;
   taken.reserve(hypotheses_.size());
   std::vector<bool> named(hypotheses_.size(), false);
   for (const Share& share : shares_with(before, index_before)) {
