@@ -62,6 +62,7 @@ void visit_association(Section& section, Visitor& visit) {
   visit("association.slam.distance_m", section.slam.distance_m, 1e-3, 10.0);
   visit("association.corrected.angle_deg", section.corrected.angle_deg, 0.1, 45.0);
   visit("association.corrected.distance_m", section.corrected.distance_m, 1e-3, 10.0);
+  visit("association.checkpoint_ribbons", section.checkpoint_ribbons, 0, 1000000);
 }
 
 /// Visits the keys of section `surface`.

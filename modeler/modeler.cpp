@@ -2,10 +2,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "modeler/modeler.hpp"
 
+#include <algorithm>
 #include <optional>
 #include <utility>
 
 #include "modeler/assembly/plane_assembly.hpp"
+#include "modeler/association/checkpoints.hpp"
 #include "modeler/association/plane_map.hpp"
 #include "modeler/observations/observations.hpp"
 #include "modeler/registration/registration.hpp"
@@ -32,15 +34,67 @@ struct Modeler::State {
         front_end(config.scan),
         extraction(config.scan, config.ribbon),
         observations(config.trajectory),
-        plane_map(config.surface.bridged_gap_m, config.association.slam) {}
+        evaluation(empty_evaluation(config.association.slam)) {}
 
-  /// Adds the ribbons from `first` on, all of the newest line, to the plane map.
-  void associate(std::uint32_t first) {
+  /// The first ribbons, associated one after the other. Has checkpoints if poses are corrected.
+  struct Evaluation {
+    PlaneMap map;
+    Checkpoints checkpoints;
+    std::uint32_t ribbons = 0;  // that are associated
+  };
+
+  /// Returns an evaluation before the first ribbon, whose hypotheses get ids from `first_id` on.
+  Evaluation empty_evaluation(const AssociationGates& gates, std::int64_t first_id = 0) const {
+    return {PlaneMap(config.surface.bridged_gap_m, gates, first_id),
+            Checkpoints(config.association.checkpoint_ribbons)};
+  }
+
+  /// Adds the next ribbons, which are those of one line, to an evaluation of `all` ribbons.
+  void add_line(const Pose& T_model_base, bool is_corrected, std::uint32_t all,
+                Evaluation& made) const {
     const std::vector<Ribbon>& ribbons = observations.ribbons();
-    const Pose T_model_base = observations.T_model_base(observations.trajectory().size() - 1);
-    for (std::uint32_t i = first; i < ribbons.size(); ++i) {
-      plane_map.add({ribbons[i], T_model_base}, i);
+    if (is_corrected) made.checkpoints.offer(made.map, made.ribbons, all);
+    const std::uint32_t line = ribbons[made.ribbons].pose;
+    for (std::uint32_t& i = made.ribbons; i < ribbons.size() && ribbons[i].pose == line; ++i) {
+      made.map.add({ribbons[i], T_model_base}, i);
     }
+  }
+
+  /// Adds the ribbons of the newest line, if it has any, to the evaluation.
+  void associate() {
+    if (evaluation.ribbons == observations.ribbons().size()) return;
+    const Trajectory& trajectory = observations.trajectory();
+    add_line(observations.T_model_base(trajectory.size() - 1), trajectory.is_corrected(),
+             evaluation.ribbons, evaluation);
+  }
+
+  /// Adds all further ribbons to an evaluation, at the poses of a trajectory.
+  void complete(const Trajectory& trajectory, Evaluation& made) const {
+    const std::vector<Ribbon>& ribbons = observations.ribbons();
+    if (ribbons.empty()) return;
+    const auto all = static_cast<std::uint32_t>(ribbons.size());
+    const Pose T_model_map = trajectory.T_map_base(0).inverse(Eigen::Isometry);
+    while (made.ribbons < all) {
+      const Pose T_map_base = trajectory.T_map_base(ribbons[made.ribbons].pose);
+      add_line(T_model_map * T_map_base, trajectory.is_corrected(), all, made);
+    }
+  }
+
+  /// Returns the evaluation as far as another trajectory leaves it unchanged, or less.
+  Evaluation unchanged_part(const Trajectory& trajectory) const {
+    const AssociationGates& gates = config.association.corrected;
+    const std::int64_t first_id = evaluation.map.next_id();
+    if (!observations.trajectory().is_corrected()) return empty_evaluation(gates, first_id);
+    const std::size_t lines_unmoved = trajectory.common_with(observations.trajectory());
+    const auto unmoved = observations.first_ribbon_of(lines_unmoved);
+    const Checkpoints& checkpoints = evaluation.checkpoints;
+    if (unmoved == evaluation.ribbons && config.association.checkpoint_ribbons > 0) {
+      return {evaluation.map.restored(evaluation.map.state(), first_id), checkpoints, unmoved};
+    }
+    const Checkpoints::Checkpoint* const last = checkpoints.last_until(unmoved);
+    if (!last) return empty_evaluation(gates, first_id);
+    return {evaluation.map.restored(last->state, first_id), checkpoints.until(unmoved),
+            last->ribbons};
   }
 
   /// Thins the model by an eighth if it has too many ribbons.
@@ -50,7 +104,11 @@ struct Modeler::State {
     if (limit == 0 || count <= limit) return;
     const std::vector<std::uint32_t> former_indices = observations.thin(limit - limit / 8);
     thinned += count - former_indices.size();
-    plane_map = evaluated(observations.posed(), plane_map.gates(), former_indices);
+    const PlaneMap& before = evaluation.map;
+    Evaluation thin = empty_evaluation(before.gates(), before.next_id());
+    complete(observations.trajectory(), thin);
+    thin.map.take_ids_from(before, former_indices);
+    evaluation = std::move(thin);
   }
 
   /// Refines the poses between corrected ones where these are too sparse for odometry alone.
@@ -62,22 +120,12 @@ struct Modeler::State {
     if (!registered.empty()) trajectory.refine(registered);
   }
 
-  /// Returns all ribbons, associated again. Planes keep the ids of those that share most of their
-  /// ribbons; `former_indices` are the ribbons' indices in the present map, if they changed.
-  PlaneMap evaluated(const PosedObservations& posed, const AssociationGates& gates,
-                     const std::vector<std::uint32_t>& former_indices = {}) const {
-    PlaneMap map(config.surface.bridged_gap_m, gates, plane_map.next_id());
-    for (std::uint32_t i = 0; i < posed.ribbon_count(); ++i) map.add(posed.ribbon(i), i);
-    map.take_ids_from(plane_map, former_indices);
-    return map;
-  }
-
   ModelerConfig config;
   ScanFrontEnd front_end;       // section 4.1
   RibbonExtraction extraction;  // sections 4.1 and 4.2
   Observations observations;
-  PlaneMap plane_map;  // section 4.3
-  std::size_t lines = 0, thinned = 0, revision = 0;
+  Evaluation evaluation;  // section 4.3
+  std::size_t lines = 0, thinned = 0, revision = 0, associated_again = 0;
 };
 
 Modeler::Modeler(const ModelerConfig& config) : state_(std::make_unique<State>(config)) {}
@@ -95,8 +143,8 @@ LineResult Modeler::add_scan_line(const LaserBeams& beams, const LinePoses& pose
     if (result != LineResult::modelled) {
       result = line.ribbons.empty() ? LineResult::no_ribbons : LineResult::modelled;
     }
-    const std::uint32_t first = s.observations.add_line(acquisition_pose(lines->middle), line);
-    s.associate(first);
+    s.observations.add_line(acquisition_pose(lines->middle), line);
+    s.associate();
     s.limit_size();
   }
   return result;
@@ -107,10 +155,13 @@ void Modeler::correct(const std::vector<StampedPose>& corrected_trajectory) {
   Trajectory trajectory = s.observations.trajectory();  // the model changes when all is computed
   trajectory.correct(corrected_trajectory);
   s.register_lines(trajectory);
-  PlaneMap plane_map =
-      s.evaluated(s.observations.posed_at(trajectory), s.config.association.corrected);
+  State::Evaluation evaluation = s.unchanged_part(trajectory);
+  const std::uint32_t unchanged = evaluation.ribbons;
+  s.complete(trajectory, evaluation);
+  evaluation.map.take_ids_from(s.evaluation.map);
   s.observations.move_to(std::move(trajectory));
-  s.plane_map = std::move(plane_map);
+  s.evaluation = std::move(evaluation);
+  s.associated_again += s.evaluation.ribbons - unchanged;
   ++s.revision;
 }
 
@@ -118,13 +169,13 @@ void Modeler::reset() { state_ = std::make_unique<State>(state_->config); }
 
 std::vector<Plane> Modeler::planes_as_built() const {
   const State& s = *state_;
-  return assembled_as_built(s.plane_map.hypotheses(), s.plane_map.gates(), s.observations.posed(),
-                            s.config.surface, s.config.assembly);
+  return assembled_as_built(s.evaluation.map.hypotheses(), s.evaluation.map.gates(),
+                            s.observations.posed(), s.config.surface, s.config.assembly);
 }
 
 std::vector<Plane> Modeler::planes() const {
   const State& s = *state_;
-  return assembled_planes(s.plane_map.merged_hypotheses(), s.plane_map.gates(),
+  return assembled_planes(s.evaluation.map.merged_hypotheses(), s.evaluation.map.gates(),
                           s.observations.posed(), s.config.surface, s.config.assembly);
 }
 
@@ -137,12 +188,19 @@ const std::vector<Ribbon>& Modeler::ribbons() const { return state_->observation
 const Observations& Modeler::observations() const { return state_->observations; }
 
 ModelStatistics Modeler::statistics() const {
-  return {state_->lines, state_->observations.ribbons().size(), state_->thinned, state_->revision,
-          state_->front_end.no_return()};
+  const State& s = *state_;
+  return {s.lines,
+          s.observations.ribbons().size(),
+          s.thinned,
+          s.revision,
+          s.associated_again,
+          s.front_end.no_return()};
 }
 
 std::size_t Modeler::memory_bytes() const {
-  return state_->observations.memory_bytes() + state_->plane_map.memory_bytes();
+  const State::Evaluation& evaluation = state_->evaluation;
+  return state_->observations.memory_bytes() + evaluation.map.memory_bytes() +
+         evaluation.checkpoints.memory_bytes(evaluation.map);
 }
 
 }  // namespace ribbon_mapper

@@ -19,10 +19,11 @@ class Observations;
 
 /// Counts of what a modeler has done.
 struct ModelStatistics {
-  std::size_t lines = 0;     ///< lines given to add_scan_line()
-  std::size_t ribbons = 0;   ///< ribbons in the model
-  std::size_t thinned = 0;   ///< ribbons removed because of ObservationsConfig::max_ribbons
-  std::size_t revision = 0;  ///< corrections applied
+  std::size_t lines = 0;             ///< lines given to add_scan_line()
+  std::size_t ribbons = 0;           ///< ribbons in the model
+  std::size_t thinned = 0;           ///< ribbons removed because of ObservationsConfig::max_ribbons
+  std::size_t revision = 0;          ///< corrections applied
+  std::size_t associated_again = 0;  ///< ribbons that these corrections have associated again
   std::optional<NoReturnRange> no_return;  ///< a range that the driver reports for no return
 };
 
@@ -57,7 +58,8 @@ class Modeler {
   ///
   /// Each correction replaces the one before: changes are always measured from the recorded poses.
   /// TrajectoryConfig::poses_follow tells how later lines are placed. A correction takes about 0.1
-  /// s for 100 s of recording, and ten times that if lines must be registered.
+  /// s for 100 s of recording, and ten times that if lines must be registered. One that leaves the
+  /// first lines where they are takes as long as its share of the ribbons, with the same result.
   ///
   /// Throws std::invalid_argument if the trajectory is empty or unordered, a pose has a defect, or
   /// it does not overlap the model in time. The model is then unchanged, as after any exception.

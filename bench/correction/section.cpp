@@ -10,6 +10,7 @@
 #include "bench/lines/line_times.hpp"
 #include "bench/planes/judge.hpp"
 #include "bench/planes/planes_peer.hpp"
+#include "bench/scale/tiles.hpp"
 #include "bench/sections.hpp"
 #include "bench/stopwatch.hpp"
 
@@ -35,6 +36,28 @@ nlohmann::json our_correction(const Inputs& inputs) {
           {"seconds", correct_s + planes_s},
           {"ribbons", modeler.statistics().ribbons},
           {"metrics", judged(planes, inputs.recording)}};
+}
+
+/// Corrects the whole tour, then revises the poses of its last 12 s, as an estimate of the
+/// trajectory does every few seconds.
+nlohmann::json our_revision(const Inputs& inputs) {
+  constexpr double kWindow_s = 12.0;
+  Modeler modeler(inputs.config);
+  feed(inputs.recording, modeler);
+  const auto whole = bent(true_trajectory(inputs.recording), 1.0);
+  const auto revised = bent(whole, std::min(1.0, kWindow_s / inputs.recording.duration_s));
+  modeler.correct(true_trajectory(inputs.recording));
+  const double whole_s = cpu_seconds_of([&] { modeler.correct(whole); });
+  const double whole_planes_s = cpu_seconds_of([&] { modeler.planes(); });
+  const std::size_t before = modeler.statistics().associated_again;
+  const double correct_s = cpu_seconds_of([&] { modeler.correct(revised); });
+  const double planes_s = cpu_seconds_of([&] { modeler.planes(); });
+  return {{"seconds", correct_s + planes_s},
+          {"correct_s", correct_s},
+          {"over_correction", correct_s / whole_s},
+          {"with_planes", (correct_s + planes_s) / (whole_s + whole_planes_s)},
+          {"associated_again", modeler.statistics().associated_again - before},
+          {"ribbons", modeler.statistics().ribbons}};
 }
 
 /// Models the tour from scratch with true poses and the gates for corrected poses.
@@ -156,6 +179,11 @@ void measure_corrections(const Inputs& inputs, Report& report) {
   report.set("correction_correct_s", section.last["correct_s"]);
   report.set("correction_planes_s", section.last["planes_s"]);
   report.set("correction_over_floor", ours_s / floor_s(inputs, report));
+  section.add(
+      "ours, the last 12 s revised: correct() and planes()", [&] { return our_revision(inputs); },
+      repetitions);
+  report.set("revision_over_correction", section.last["over_correction"]);
+  report.set("revision_with_planes", section.last["with_planes"]);
   report.set("correction_vs_rebuild",
              section.add(
                  "ours, rebuilt from all lines", [&] { return our_rebuild(inputs); },

@@ -19,6 +19,8 @@ BARS = [
     ('line_growth_exponent', 0.1, False), ('correction_growth_exponent', 1.1, False),
     ('correction_growth_exponent_to_three_million', None, False),
     ('correction_tenth_over_all', 0.2, False),
+    ('revision_over_correction', 0.1, False), ('revision_with_planes', 0.25, False),
+    ('revision_growth_exponent', 1.2, False),
     ('memory_vs_octomap', 0.1, False), ('memory_vs_raw', 1, False),
     ('rays_vs_raytest', None, True), ('rays_embree_vs_bullet', None, True),
     # Ratios of a recorded bag, without bars.

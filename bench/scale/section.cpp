@@ -18,6 +18,7 @@ namespace {
 constexpr double kSpacing_m = 40.0;  // more than the range of a ribbon
 constexpr std::size_t kToursOfAMillion = 34;
 constexpr std::size_t kMaxTours = 100;  // about three million ribbons
+constexpr double kRevised_s = 12.0;     // at the end of the trajectory
 constexpr double kLimit_s = 1800.0;     // CPU time of our own work; --limit is for the peers
 
 template <typename... Values>
@@ -135,6 +136,8 @@ nlohmann::json corrections_of(const Recording& tour, const ModelerConfig& config
   result["lines"] = modeler.trajectory().size();
   result["tenth_s"] = correction_s(modeler, tenth, planes);
   result["all_s"] = correction_s(modeler, all, planes);
+  const auto revised = bent(all, kRevised_s / (static_cast<double>(number) * tour.duration_s));
+  result["revision_s"] = cpu_seconds_of([&] { modeler.correct(revised); });
   return result;
 }
 
@@ -152,7 +155,7 @@ void correction_over_ribbons(const Inputs& inputs, Report& report) {
   const std::vector<std::size_t> numbers =
       inputs.options.quick ? std::vector<std::size_t>{1, 3}
                            : std::vector<std::size_t>{1, 3, 10, kToursOfAMillion, kMaxTours};
-  std::vector<double> x, y;
+  std::vector<double> x, y, revision_s;
   double tour_mb = 0.0;
   for (const std::size_t number : numbers) {
     const double needed_mb = tour_mb * static_cast<double>(number);
@@ -163,6 +166,7 @@ void correction_over_ribbons(const Inputs& inputs, Report& report) {
     tour_mb = run.peak_mb / static_cast<double>(number);
     x.push_back(result["ribbons"]);
     y.push_back(result["seconds"]);
+    revision_s.push_back(result["revision_s"]);
     const double tenth_over_all = result["tenth_s"].get<double>() / result["all_s"].get<double>();
     const double bytes_per_m2 = result["bytes"].get<double>() / result["area_m2"].get<double>();
     report.add({section,
@@ -177,6 +181,7 @@ void correction_over_ribbons(const Inputs& inputs, Report& report) {
                           bytes_per_m2, tenth_over_all),
                 result});
     report.set("correction_tenth_over_all", tenth_over_all);
+    report.set("revision_growth_exponent", x.size() > 1 ? fitted_exponent(x, revision_s) : 1.0);
     report.set("bytes_per_m2_at_most_ribbons", bytes_per_m2);
     const bool is_up_to_a_million = number <= kToursOfAMillion;
     report.set(is_up_to_a_million ? "correction_growth_exponent"

@@ -21,6 +21,11 @@ struct AssociationConfig {
   /// deviations of the UTM-30LX at its noisiest (0.018 m, rounded down to 3 cm with the mean of a
   /// ribbon's points); the angle is what that error leaves of a small plane's normal.
   AssociationGates corrected{2.0, 0.03};
+
+  /// Smallest number of ribbons between two checkpoints of a corrected model (0: no checkpoints,
+  /// every correction associates all ribbons). A robot sees as many in about six seconds: half of
+  /// what an estimate of the trajectory usually revises. Memory is that of what changes meanwhile.
+  int checkpoint_ribbons = 512;
 };
 
 }  // namespace ribbon_mapper

@@ -33,7 +33,7 @@ struct Member {
 class Hypothesis {
  public:
   /// Creates a hypothesis without ribbons.
-  explicit Hypothesis(std::int64_t id_) : id(id_) {}
+  explicit Hypothesis(std::int64_t id_ = 0) : id(id_) {}
 
   /// Adds a ribbon and fits the plane again.
   void add(const PosedRibbon& ribbon, const Member& member);

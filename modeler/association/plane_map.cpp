@@ -2,9 +2,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "modeler/association/plane_map.hpp"
 
+#include <tsl/robin_set.h>
+
 #include <algorithm>
 #include <cmath>
-#include <unordered_set>
 
 #include "modeler/geometry/vector_storage.hpp"
 
@@ -12,38 +13,6 @@ namespace ribbon_mapper {
 namespace {
 
 constexpr std::int64_t kNoId = -1;  // of a ribbon that is in no hypothesis
-
-/// The number of ribbons that the hypothesis at a slot shares with a former one.
-struct Share {
-  std::size_t ribbons;
-  std::int64_t id;  // of the former one
-  std::uint32_t slot;
-};
-
-/// Returns the shares of all hypotheses, the largest first. See PlaneMap::take_ids_from().
-std::vector<Share> shares_of(const std::vector<Hypothesis>& hypotheses,
-                             const std::vector<std::int64_t>& ids_before,
-                             const std::vector<std::uint32_t>& index_before) {
-  std::vector<Share> shares;
-  std::vector<std::int64_t> ids;  // former ids of the ribbons of one hypothesis
-  for (std::uint32_t slot = 0; slot < hypotheses.size(); ++slot) {
-    ids.clear();
-    for (const Member& member : hypotheses[slot].members()) {
-      const std::size_t ribbon = index_before.empty() ? member.ribbon : index_before[member.ribbon];
-      if (ribbon < ids_before.size() && ids_before[ribbon] != kNoId) {
-        ids.push_back(ids_before[ribbon]);
-      }
-    }
-    std::sort(ids.begin(), ids.end());
-    for (auto id = ids.begin(), next = id; id != ids.end(); id = next) {
-      next = std::upper_bound(id, ids.end(), *id);
-      shares.push_back({static_cast<std::size_t>(next - id), *id, slot});
-    }
-  }
-  std::stable_sort(shares.begin(), shares.end(),
-                   [](const Share& a, const Share& b) { return a.ribbons > b.ribbons; });
-  return shares;
-}
 
 }  // namespace
 
@@ -79,7 +48,7 @@ void PlaneMap::add(const PosedRibbon& ribbon, std::uint32_t index) {
   }
   if (!min_sigmas) slot = new_slot();
   const auto probability = static_cast<float>(membership(min_sigmas.value_or(0.0)));
-  hypotheses_[slot].add(ribbon, {index, probability});
+  hypotheses_.edit(slot).add(ribbon, {index, probability});
   refresh(slot);
   index_.enter(slot, voxels_);
   if (matches_.size() > 1) merge_with(matches_, slot);
@@ -95,24 +64,26 @@ std::vector<const Hypothesis*> PlaneMap::near(const PosedRibbon& ribbon) {
 }
 
 std::uint32_t PlaneMap::new_slot() {
-  const Hypothesis empty(next_id_++);
+  const Hypothesis empty(created_++);
+  const std::int64_t id = next_id_++;
   if (!free_slots_.empty()) {
     const std::uint32_t slot = free_slots_.back();
     free_slots_.pop_back();
-    hypotheses_[slot] = empty;
+    hypotheses_.edit(slot) = empty;
+    ids_[slot] = id;
     return slot;
   }
-  reserve_one_more(hypotheses_);
   hypotheses_.push_back(empty);
+  ids_.push_back(id);
   float_planes_.emplace_back();
   return static_cast<std::uint32_t>(hypotheses_.size() - 1);
 }
 
 /// Updates what is derived from a hypothesis' plane after a new fit.
 void PlaneMap::refresh(std::uint32_t slot) {
-  const Eigen::Vector3d& normal = hypotheses_[slot].normal();
-  float_planes_[slot] = {normal.cast<float>(), static_cast<float>(hypotheses_[slot].d_m())};
-  index_.list(slot, cube_sides_within(normal, reach_));
+  const Hypothesis& plane = hypotheses_[slot];
+  float_planes_[slot] = {plane.normal().cast<float>(), static_cast<float>(plane.d_m())};
+  index_.list(slot, cube_sides_within(plane.normal(), reach_));
 }
 
 /// Merges the hypothesis at `slot` with those of the matches that are one plane with it.
@@ -131,10 +102,12 @@ void PlaneMap::merge_with(const std::vector<std::uint32_t>& matches, std::uint32
 
 /// Merges two hypotheses. The result has the older id.
 void PlaneMap::merge(std::uint32_t into, std::uint32_t from) {
-  const std::int64_t id = std::min(hypotheses_[into].id, hypotheses_[from].id);
-  hypotheses_[into].absorb(hypotheses_[from]);
-  hypotheses_[into].id = id;
-  hypotheses_[from] = Hypothesis(0);
+  const std::int64_t created = std::min(hypotheses_[into].id, hypotheses_[from].id);
+  Hypothesis& merged = hypotheses_.edit(into);
+  merged.absorb(hypotheses_[from]);
+  merged.id = created;
+  ids_[into] = std::min(ids_[into], ids_[from]);
+  hypotheses_.edit(from) = Hypothesis(0);
   free_slots_.push_back(from);
   refresh(into);
   index_.enter(into, index_.remove(from));
@@ -143,7 +116,9 @@ void PlaneMap::merge(std::uint32_t into, std::uint32_t from) {
 std::vector<Hypothesis> PlaneMap::hypotheses() const {
   std::vector<Hypothesis> alive;
   for (std::uint32_t slot = 0; slot < hypotheses_.size(); ++slot) {
-    if (is_alive(slot)) alive.push_back(hypotheses_[slot]);
+    if (!is_alive(slot)) continue;
+    alive.push_back(hypotheses_[slot]);
+    alive.back().id = ids_[slot];
   }
   std::sort(alive.begin(), alive.end(),
             [](const Hypothesis& a, const Hypothesis& b) { return a.id < b.id; });
@@ -195,42 +170,109 @@ bool PlaneMap::absorb_neighbours(std::uint32_t slot) {
     if (other == slot || !is_alive(other)) continue;
     if (hypotheses_[other].area_m2() > hypotheses_[slot].area_m2()) continue;
     if (!are_one_plane(hypotheses_[slot], hypotheses_[other], gates_)) continue;
-    const std::int64_t id = hypotheses_[slot].id;
+    const std::int64_t id = ids_[slot];
     merge(slot, other);
-    hypotheses_[slot].id = id;  // the larger one's, even if the sliver is older
+    ids_[slot] = id;  // the larger one's, even if the sliver is older
     changed = true;
   }
   return changed;
 }
 
-/// Returns the id of each ribbon's hypothesis, or kNoId.
-std::vector<std::int64_t> PlaneMap::ids_of_ribbons() const {
+/// Returns the id of each ribbon's hypothesis, or kNoId. Leaves out hypotheses that `now` shares.
+std::vector<std::int64_t> PlaneMap::ids_of_ribbons(const PlaneMap& now) const {
   std::vector<std::int64_t> ids;
-  for (const Hypothesis& plane : hypotheses_) {
-    for (const Member& member : plane.members()) {
+  for (std::uint32_t slot = 0; slot < hypotheses_.size(); ++slot) {
+    if (hypotheses_.shares(slot, now.hypotheses_)) continue;
+    for (const Member& member : hypotheses_[slot].members()) {
       if (member.ribbon >= ids.size()) ids.resize(member.ribbon + 1, kNoId);
-      ids[member.ribbon] = plane.id;
+      ids[member.ribbon] = ids_[slot];
     }
   }
   return ids;
 }
 
+/// Adds the shares of the hypothesis at a slot, given the former ids of its ribbons.
+void PlaneMap::add_shares(std::uint32_t slot, std::vector<std::int64_t>& ids,
+                          std::vector<Share>& shares) {
+  if (!std::is_sorted(ids.begin(), ids.end())) std::sort(ids.begin(), ids.end());
+  for (auto id = ids.begin(), next = id; id != ids.end(); id = next) {
+    next = std::upper_bound(id, ids.end(), *id);
+    shares.push_back({static_cast<std::size_t>(next - id), *id, slot});
+  }
+}
+
+/// Returns the numbers of ribbons that each hypothesis shares with those of `before`, the largest
+/// first. See take_ids_from().
+std::vector<PlaneMap::Share> PlaneMap::shares_with(
+    const PlaneMap& before, const std::vector<std::uint32_t>& index_before) const {
+  const std::vector<std::int64_t> ids_before = before.ids_of_ribbons(*this);
+  std::vector<Share> shares;
+  shares.reserve(hypotheses_.size());
+  std::vector<std::int64_t> ids;  // former ids of the ribbons of one hypothesis
+  for (std::uint32_t slot = 0; slot < hypotheses_.size(); ++slot) {
+    const std::vector<Member>& members = hypotheses_[slot].members();
+    if (hypotheses_.shares(slot, before.hypotheses_)) {  // the same ribbons
+      if (!members.empty()) shares.push_back({members.size(), before.ids_[slot], slot});
+      continue;
+    }
+    ids.clear();
+    for (const Member& member : members) {
+      const std::size_t ribbon = index_before.empty() ? member.ribbon : index_before[member.ribbon];
+      if (ribbon >= ids_before.size() || ids_before[ribbon] == kNoId) continue;
+      ids.push_back(ids_before[ribbon]);
+    }
+    add_shares(slot, ids, shares);
+  }
+  std::stable_sort(shares.begin(), shares.end(),
+                   [](const Share& a, const Share& b) { return a.ribbons > b.ribbons; });
+  return shares;
+}
+
 void PlaneMap::take_ids_from(const PlaneMap& before,
                              const std::vector<std::uint32_t>& index_before) {
-  std::unordered_set<std::int64_t> taken;
+  tsl::robin_set<std::int64_t> taken;
+  taken.reserve(hypotheses_.size());
   std::vector<bool> named(hypotheses_.size(), false);
-  for (const Share& share : shares_of(hypotheses_, before.ids_of_ribbons(), index_before)) {
+  for (const Share& share : shares_with(before, index_before)) {
     if (named[share.slot] || !taken.insert(share.id).second) continue;
-    hypotheses_[share.slot].id = share.id;
+    ids_[share.slot] = share.id;
     named[share.slot] = true;
   }
 }
 
+PlaneMap PlaneMap::restored(const State& state, std::int64_t first_id) const {
+  PlaneMap map = *this;
+  map.hypotheses_ = state.hypotheses;
+  map.free_slots_ = state.free_slots;
+  map.index_.restore(state.index);
+  map.created_ = state.created;
+  map.next_id_ = first_id + state.created;
+  map.ids_.clear(), map.float_planes_.clear();
+  for (std::uint32_t slot = 0; slot < map.hypotheses_.size(); ++slot) {
+    const Hypothesis& plane = map.hypotheses_[slot];
+    map.ids_.push_back(first_id + plane.id);
+    map.float_planes_.push_back({plane.normal().cast<float>(), static_cast<float>(plane.d_m())});
+  }
+  return map;
+}
+
+std::size_t PlaneMap::State::unshared_bytes(const State& later) const {
+  std::size_t bytes = VoxelIndex::unshared_bytes(index, later.index) + hypotheses.memory_bytes() +
+                      free_slots.capacity() * sizeof(std::uint32_t);
+  hypotheses.for_each_unshared(later.hypotheses, [&bytes](const Hypothesis& plane) {
+    bytes += sizeof(Hypothesis) + plane.members().capacity() * sizeof(Member);
+  });
+  return bytes;
+}
+
 std::size_t PlaneMap::memory_bytes() const {
-  std::size_t bytes = index_.memory_bytes() + hypotheses_.capacity() * sizeof(Hypothesis) +
+  std::size_t bytes = index_.memory_bytes() + hypotheses_.memory_bytes() +
+                      ids_.capacity() * sizeof(std::int64_t) +
                       float_planes_.capacity() * sizeof(FloatPlane) +
                       free_slots_.capacity() * sizeof(std::uint32_t);
-  for (const Hypothesis& plane : hypotheses_) bytes += plane.members().capacity() * sizeof(Member);
+  hypotheses_.for_each_unshared({}, [&bytes](const Hypothesis& plane) {
+    bytes += sizeof(Hypothesis) + plane.members().capacity() * sizeof(Member);
+  });
   return bytes;
 }
 

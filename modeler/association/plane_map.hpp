@@ -8,6 +8,7 @@
 #include "modeler/association/association_config.hpp"
 #include "modeler/association/hypothesis.hpp"
 #include "modeler/association/voxel_index.hpp"
+#include "modeler/geometry/shared_vector.hpp"
 
 namespace ribbon_mapper {
 
@@ -43,11 +44,38 @@ class PlaneMap {
   /// Returns the gates.
   const AssociationGates& gates() const { return gates_; }
 
+  /// What a map was when it had aggregated the first of its ribbons. It shares with the map what
+  /// has not changed since.
+  struct State {
+    /// Returns the memory of what this state has and a later one of the same map does not share.
+    std::size_t unshared_bytes(const State& later) const;
+
+    SharedVector<Hypothesis> hypotheses;    ///< by slot, see PlaneMap
+    std::vector<std::uint32_t> free_slots;  ///< of hypotheses that were merged into others
+    VoxelIndex::State index;                ///< where hypotheses are
+    std::int64_t created = 0;               ///< number of hypotheses that were created
+  };
+  /// Returns the present state.
+  State state() const { return {hypotheses_, free_slots_, index_.state(), created_}; }
+  /// Returns the map as it was in a former state, with all hypotheses numbered from `first_id` on
+  /// in the order of their creation.
+  PlaneMap restored(const State& state, std::int64_t first_id) const;
+
   /// Returns the memory in use. Visits every hypothesis.
   std::size_t memory_bytes() const;
 
  private:
-  std::vector<std::int64_t> ids_of_ribbons() const;
+  /// The number of ribbons that the hypothesis at a slot shares with a former one.
+  struct Share {
+    std::size_t ribbons;
+    std::int64_t id;  // of the former one
+    std::uint32_t slot;
+  };
+  std::vector<std::int64_t> ids_of_ribbons(const PlaneMap& now) const;
+  static void add_shares(std::uint32_t slot, std::vector<std::int64_t>& ids,
+                         std::vector<Share>& shares);
+  std::vector<Share> shares_with(const PlaneMap& before,
+                                 const std::vector<std::uint32_t>& index_before) const;
 
   /// A hypothesis' plane in single precision, a quarter of a cache line. Rejects most of the
   /// ribbons near a hypothesis that do not belong to it.
@@ -67,8 +95,11 @@ class PlaneMap {
   float min_cosine_, max_distance_m_;  // gates for a FloatPlane, with margins far above rounding
   double reach_;  // largest distance from a hypothesis' unit normal to those of its ribbons
   VoxelIndex index_;
-  std::int64_t next_id_;
-  std::vector<Hypothesis> hypotheses_;         // by slot; a free slot has no members
+  std::int64_t created_ = 0, next_id_;
+  // By slot; a free slot has no members. Their ids are numbers in the order of creation, which a
+  // state can share with maps of other ids.
+  SharedVector<Hypothesis> hypotheses_;
+  std::vector<std::int64_t> ids_;              // by slot
   std::vector<FloatPlane> float_planes_;       // by slot
   std::vector<std::uint32_t> free_slots_;      // of hypotheses that were merged into others
   std::vector<std::uint32_t> voxels_;          // working memory

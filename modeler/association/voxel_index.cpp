@@ -31,14 +31,17 @@ std::uint32_t VoxelIndex::voxel_of(VoxelKey key) {
   const auto number = static_cast<std::uint32_t>(voxels_.size());
   const auto [found, is_new] = numbers_.try_emplace(key, number);
   if (!is_new) return found->second;
-  voxels_.emplace_back();
+  Voxel voxel;
+  voxel.key = key;
   for_each_around(key, [&](VoxelKey around) {
     const auto other = numbers_.find(around);
     if (other == numbers_.end()) return;
-    voxels_[number].around.push_back(other->second);
-    if (other->second != number) voxels_[other->second].around.push_back(number);
+    voxel.around.push_back(other->second);
+    if (other->second != number) voxels_.edit(other->second).around.push_back(number);
   });
-  list_hypotheses_near(voxels_[number]);
+  voxels_.push_back(std::move(voxel));
+  voxel_queries_.push_back(0);
+  list_hypotheses_near(voxels_.edit(number));
   return number;
 }
 
@@ -47,8 +50,8 @@ void VoxelIndex::list_hypotheses_near(Voxel& voxel) {
   ++query_;
   for (const std::uint32_t around : voxel.around) {
     for (const std::uint32_t slot : voxels_[around].slots) {
-      if (entries_[slot].query == query_) continue;
-      entries_[slot].query = query_;
+      if (slot_queries_[slot] == query_) continue;
+      slot_queries_[slot] = query_;
       list_at(voxel, slot, entries_[slot].sides);
     }
   }
@@ -79,71 +82,109 @@ void VoxelIndex::voxels_of(const PosedRibbon& ribbon, std::vector<std::uint32_t>
   }
 }
 
-/// Calls function(voxel) for these voxels and their neighbours, each once.
+/// Calls function(voxel) for the numbers of these voxels and their neighbours, each once.
 template <typename Function>
 void VoxelIndex::for_each_voxel_around(const std::vector<std::uint32_t>& voxels,
                                        const Function& function) {
   ++query_;
   for (const std::uint32_t voxel : voxels) {
     for (const std::uint32_t around : voxels_[voxel].around) {
-      if (voxels_[around].query == query_) continue;
-      voxels_[around].query = query_;
-      function(voxels_[around]);
+      if (voxel_queries_[around] == query_) continue;
+      voxel_queries_[around] = query_;
+      function(around);
     }
   }
 }
 
 void VoxelIndex::list(std::uint32_t slot, CubeSides sides) {
   while (entries_.size() <= slot) {
-    reserve_one_more(entries_);
-    entries_.emplace_back();
+    entries_.push_back({});
+    slot_queries_.push_back(0);
   }
-  Entry& entry = entries_[slot];
-  const auto more = static_cast<CubeSides>(sides & ~entry.sides);
+  const auto more = static_cast<CubeSides>(sides & ~entries_[slot].sides);
   if (more == 0) return;
-  for_each_voxel_around(entry.touched, [&](Voxel& voxel) { list_at(voxel, slot, more); });
+  Entry& entry = entries_.edit(slot);
+  for_each_voxel_around(entry.touched,
+                        [&](std::uint32_t voxel) { list_at(voxels_.edit(voxel), slot, more); });
   entry.sides |= more;
 }
 
 void VoxelIndex::enter(std::uint32_t slot, const std::vector<std::uint32_t>& voxels) {
-  Entry& entry = entries_[slot];
-  std::vector<std::uint32_t>& touched = entry.touched;
-  const bool is_new = touched.empty();
-  if (is_new) touched.reserve(4);
+  const std::vector<std::uint32_t>* touched = &entries_[slot].touched;
+  const bool is_new = touched->empty();
   added_.clear();
   for (const std::uint32_t voxel : voxels) {
-    const auto position = std::lower_bound(touched.begin(), touched.end(), voxel);
-    if (position != touched.end() && *position == voxel) continue;
-    touched.insert(position, voxel);
-    voxels_[voxel].slots.push_back(slot);
-    added_.push_back(voxel);
+    const auto position = std::lower_bound(touched->begin(), touched->end(), voxel);
+    if (position != touched->end() && *position == voxel) continue;
+    add_touched(slot, voxel, position - touched->begin());
+    touched = &entries_[slot].touched;
   }
   if (added_.empty()) return;
-  const int side = first_side(entry.sides);
-  for_each_voxel_around(added_, [&](Voxel& voxel) {
-    if (is_new || !holds(voxel.near[side], slot)) list_at(voxel, slot, entry.sides);
+  const CubeSides sides = entries_[slot].sides;
+  const int side = first_side(sides);
+  for_each_voxel_around(added_, [&](std::uint32_t voxel) {
+    if (is_new || !holds(voxels_[voxel].near[side], slot)) {
+      list_at(voxels_.edit(voxel), slot, sides);
+    }
   });
+}
+
+/// Adds a voxel to those that a hypothesis touches, at this position among them.
+void VoxelIndex::add_touched(std::uint32_t slot, std::uint32_t voxel, std::ptrdiff_t position) {
+  std::vector<std::uint32_t>& touched = entries_.edit(slot).touched;
+  if (touched.empty()) touched.reserve(4);
+  touched.insert(touched.begin() + position, voxel);
+  voxels_.edit(voxel).slots.push_back(slot);
+  added_.push_back(voxel);
 }
 
 std::vector<std::uint32_t> VoxelIndex::remove(std::uint32_t slot) {
-  const Entry entry = std::move(entries_[slot]);
-  entries_[slot] = {};
-  for_each_voxel_around(entry.touched, [&](Voxel& voxel) {
+  const Entry entry = std::move(entries_.edit(slot));
+  entries_.edit(slot) = {};
+  for_each_voxel_around(entry.touched, [&](std::uint32_t number) {
+    Voxel& voxel = voxels_.edit(number);
     for_each_side(entry.sides, [&](int side) { remove_from(voxel.near[side], slot); });
   });
-  for (const std::uint32_t voxel : entry.touched) remove_from(voxels_[voxel].slots, slot);
+  for (const std::uint32_t voxel : entry.touched) remove_from(voxels_.edit(voxel).slots, slot);
   return entry.touched;
 }
 
-std::size_t VoxelIndex::memory_bytes() const {
-  std::size_t bytes = numbers_.bucket_count() * (sizeof(VoxelKey) + 2 * sizeof(std::uint64_t)) +
-                      voxels_.capacity() * sizeof(Voxel) + entries_.capacity() * sizeof(Entry);
-  for (const Voxel& voxel : voxels_) {
-    bytes += (voxel.slots.capacity() + voxel.around.capacity()) * sizeof(std::uint32_t);
-    for (const auto& near : voxel.near) bytes += near.capacity() * sizeof(std::uint32_t);
+VoxelIndex::State VoxelIndex::state() const {
+  State state;
+  state.voxels_ = voxels_, state.entries_ = entries_;
+  return state;
+}
+
+void VoxelIndex::restore(const State& state) {
+  for (std::size_t i = state.voxels_.size(); i < voxels_.size(); ++i) {
+    numbers_.erase(voxels_[i].key);
   }
-  for (const Entry& entry : entries_) bytes += entry.touched.capacity() * sizeof(std::uint32_t);
+  voxels_ = state.voxels_, entries_ = state.entries_;
+  voxel_queries_.resize(voxels_.size()), slot_queries_.resize(entries_.size());
+}
+
+std::size_t VoxelIndex::unshared_bytes(const State& state, const State& later) {
+  std::size_t bytes = state.voxels_.memory_bytes() + state.entries_.memory_bytes();
+  const auto count = [&bytes](const auto& element) { bytes += element.memory_bytes(); };
+  state.voxels_.for_each_unshared(later.voxels_, count);
+  state.entries_.for_each_unshared(later.entries_, count);
   return bytes;
+}
+
+std::size_t VoxelIndex::Voxel::memory_bytes() const {
+  std::size_t elements = slots.capacity() + around.capacity();
+  for (const auto& list : near) elements += list.capacity();
+  return sizeof(Voxel) + elements * sizeof(std::uint32_t);
+}
+
+std::size_t VoxelIndex::Entry::memory_bytes() const {
+  return sizeof(Entry) + touched.capacity() * sizeof(std::uint32_t);
+}
+
+std::size_t VoxelIndex::memory_bytes() const {
+  return numbers_.bucket_count() * (sizeof(VoxelKey) + 2 * sizeof(std::uint64_t)) +
+         (voxel_queries_.capacity() + slot_queries_.capacity()) * sizeof(std::uint32_t) +
+         unshared_bytes(state(), {});
 }
 
 }  // namespace ribbon_mapper

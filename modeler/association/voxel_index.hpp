@@ -5,10 +5,12 @@
 #include <tsl/robin_map.h>
 
 #include <array>
+#include <cstddef>
 #include <cstdint>
 #include <vector>
 
 #include "modeler/geometry/cube_sides.hpp"
+#include "modeler/geometry/shared_vector.hpp"
 #include "modeler/geometry/voxel_key.hpp"
 #include "modeler/observations/posed_ribbon.hpp"
 
@@ -55,8 +57,8 @@ class VoxelIndex {
       }
       for (std::size_t i = 0; i < count; ++i) {
         const std::uint32_t slot = accepted_[i];
-        if (entries_[slot].query == query_) continue;
-        entries_[slot].query = query_;
+        if (slot_queries_[slot] == query_) continue;
+        slot_queries_[slot] = query_;
         slots.push_back(slot);
       }
     }
@@ -71,29 +73,47 @@ class VoxelIndex {
 
  private:
   struct Voxel {
+    VoxelKey key{};
     std::vector<std::uint32_t> slots;                         // hypotheses that touch it
     std::vector<std::uint32_t> around;                        // itself and its neighbours
     std::array<std::vector<std::uint32_t>, kCubeSides> near;  // hypotheses near it, by side
-    std::uint32_t query = 0;                                  // the last one that visited it
+    std::size_t memory_bytes() const;
   };
   struct Entry {
     std::vector<std::uint32_t> touched;  // voxels, sorted
-    std::uint32_t query = 0;             // the last one that found it
     CubeSides sides = 0;
+    std::size_t memory_bytes() const;
   };
 
+ public:
+  /// A state of the index. It shares with the index what has not changed since.
+  class State {
+    friend class VoxelIndex;
+    SharedVector<Voxel> voxels_;
+    SharedVector<Entry> entries_;
+  };
+  /// Returns the present state.
+  State state() const;
+  /// Returns to a former state of this index, or of the index that it was copied from.
+  void restore(const State& state);
+  /// Returns the memory of what `state` has and `later` does not share.
+  static std::size_t unshared_bytes(const State& state, const State& later);
+
+ private:
   std::uint32_t voxel_of(VoxelKey key);
   void list_hypotheses_near(Voxel& voxel);
+  void add_touched(std::uint32_t slot, std::uint32_t voxel, std::ptrdiff_t position);
   static void list_at(Voxel& voxel, std::uint32_t slot, CubeSides sides);
   template <typename Function>
   void for_each_voxel_around(const std::vector<std::uint32_t>& voxels, const Function& function);
 
   double voxel_m_;
   tsl::robin_map<VoxelKey, std::uint32_t, KeyHash> numbers_;  // of voxels
-  std::vector<Voxel> voxels_;
-  std::vector<Entry> entries_;                   // by slot
-  std::uint32_t query_ = 0;                      // number of the latest query
-  std::vector<std::uint32_t> accepted_, added_;  // working memory
+  SharedVector<Voxel> voxels_;
+  SharedVector<Entry> entries_;                              // by slot
+  std::uint32_t query_ = 0;                                  // number of the latest query
+  std::vector<std::uint32_t> voxel_queries_, slot_queries_;  // the last one that met each
+  std::vector<std::uint32_t> accepted_, added_;              // working memory
 };
 
 }  // namespace ribbon_mapper

@@ -2,6 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "modeler/geometry/packed_poses.hpp"
 
+#include <algorithm>
+#include <cstring>
+
 #include "modeler/geometry/vector_storage.hpp"
 
 namespace ribbon_mapper {
@@ -17,6 +20,23 @@ void PackedPoses::reserve_one_more() { ribbon_mapper::reserve_one_more(poses_); 
 void PackedPoses::push_back(const Pose& pose) {
   reserve_one_more();
   poses_.push_back(packed(pose));
+}
+
+void PackedPoses::append_first(std::size_t count, const PackedPoses& others) {
+  const auto first = others.poses_.begin();
+  poses_.insert(poses_.end(), first, first + static_cast<std::ptrdiff_t>(count));
+}
+
+bool PackedPoses::holds(std::size_t index, const Pose& pose) const {
+  const Packed other = packed(pose);
+  return std::memcmp(&poses_[index], &other, sizeof other) == 0;
+}
+
+std::size_t PackedPoses::common_with(const PackedPoses& others) const {
+  const std::size_t count = std::min(size(), others.size());
+  std::size_t i = 0;
+  while (i < count && std::memcmp(&poses_[i], &others.poses_[i], sizeof(Packed)) == 0) ++i;
+  return i;
 }
 
 void PackedPoses::keep(const std::vector<std::uint32_t>& indices) { keep_indices(indices, poses_); }

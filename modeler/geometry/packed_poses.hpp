@@ -14,12 +14,20 @@ namespace ribbon_mapper {
 /// A vector of poses stored as quaternion and position: 56 bytes per pose instead of 128.
 class PackedPoses {
  public:
+  /// Makes room for `count` poses in total.
+  void reserve(std::size_t count) { poses_.reserve(count); }
   /// Makes room for one more pose: the next push_back() cannot fail.
   void reserve_one_more();
   /// Appends a pose.
   void push_back(const Pose& pose);
   /// Replaces the pose at `index`.
   void set(std::size_t index, const Pose& pose) { poses_[index] = packed(pose); }
+  /// Appends the first `count` poses of `others`.
+  void append_first(std::size_t count, const PackedPoses& others);
+  /// Returns true if the pose at `index` is this one, bit by bit.
+  bool holds(std::size_t index, const Pose& pose) const;
+  /// Returns the number of the first poses that both have in common, bit by bit.
+  std::size_t common_with(const PackedPoses& others) const;
   /// Removes all poses but those at these ascending indices.
   void keep(const std::vector<std::uint32_t>& indices);
   /// Unpacks the pose at `index`.

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "modeler/observations/observations.hpp"
 
+#include <algorithm>
 #include <utility>
 
 #include "modeler/geometry/vector_storage.hpp"
@@ -33,6 +34,13 @@ std::uint32_t Observations::add_line(const TrackedPose& pose, const LineObservat
     ribbon.samples.first = samples_.add(ribbon.samples.first, ribbon.samples.size);
   }
   return first;
+}
+
+std::uint32_t Observations::first_ribbon_of(std::size_t line) const {
+  const auto first =
+      std::lower_bound(ribbons_.begin(), ribbons_.end(), line,
+                       [](const Ribbon& ribbon, std::size_t pose) { return ribbon.pose < pose; });
+  return static_cast<std::uint32_t>(first - ribbons_.begin());
 }
 
 std::vector<std::uint32_t> Observations::thin(std::size_t count) {

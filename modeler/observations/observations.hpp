@@ -43,6 +43,8 @@ class Observations {
 
   /// Returns all ribbons in the order of their lines and beams. Ribbon::pose indexes trajectory().
   const std::vector<Ribbon>& ribbons() const { return ribbons_; }
+  /// Returns the index of the first ribbon of a line or of the next one that has ribbons.
+  std::uint32_t first_ribbon_of(std::size_t line) const;
   /// Returns the unassigned points, one element for each pose of trajectory().
   const std::vector<UnassignedPoints>& unassigned() const { return unassigned_; }
   /// Returns the acquisition poses.

@@ -50,12 +50,22 @@ void require_usable(const std::vector<StampedPose>& trajectory) {
 
 }  // namespace
 
-Correction::Correction(const TrackedPoses& recorded, const std::vector<StampedPose>& corrected) {
+Correction::Correction(const TrackedPoses& recorded, const std::vector<StampedPose>& corrected,
+                       const Correction* before) {
   require_usable(corrected);
   const Time first = recorded.stamps().front(), last = recorded.stamps().back();
-  for (const StampedPose& pose : corrected) {
-    if (pose.stamp < first || pose.stamp > last) continue;
-    poses_.push_back({pose, recorded_at(recorded, pose.stamp).T_odom_base});
+  const auto begin = std::find_if(corrected.begin(), corrected.end(),
+                                  [&](const StampedPose& pose) { return pose.stamp >= first; });
+  const auto end = std::find_if(begin, corrected.end(),
+                                [&](const StampedPose& pose) { return pose.stamp > last; });
+  poses_.reserve(static_cast<std::size_t>(end - begin));
+  auto pose = begin;
+  if (before) {
+    while (pose != end && before->poses_.holds(shared_, *pose)) ++pose, ++shared_;
+    poses_.append_first(shared_, before->poses_);
+  }
+  for (; pose != end; ++pose) {
+    poses_.push_back({*pose, recorded_at(recorded, pose->stamp).T_odom_base});
   }
   if (poses_.empty()) {
     throw std::invalid_argument(
@@ -82,6 +92,10 @@ Pose Correction::corrected(const TrackedPose& recorded) const {
   return interpolate(T_corrected_odom(from) * recorded.T_odom_base,
                      T_corrected_odom(after) * recorded.T_odom_base,
                      fraction_of(stamp, poses_.stamps()[from], poses_.stamps()[after]));
+}
+
+std::size_t Correction::unchanged(const TrackedPoses& recorded) const {
+  return shared_ == 0 ? 0 : count_until(recorded, poses_.stamps()[shared_ - 1]);
 }
 
 Pose Correction::T_corrected_odom(std::size_t index) const {

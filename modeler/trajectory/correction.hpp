@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <cstddef>
 #include <vector>
 
 #include "modeler/geometry/pose.hpp"
@@ -21,10 +22,17 @@ class Correction {
   /// Derives the change from recorded poses (not empty) and the corrected ones. Corrected poses
   /// outside the time of the recorded ones are ignored. Throws std::invalid_argument, saying what
   /// is wrong, if `corrected` is empty or unordered, a pose has a defect, or none can be used.
-  Correction(const TrackedPoses& recorded, const std::vector<StampedPose>& corrected);
+  ///
+  /// `before` is a correction of the same recorded poses, if there was one: what it shares with
+  /// `corrected` is taken from it.
+  Correction(const TrackedPoses& recorded, const std::vector<StampedPose>& corrected,
+             const Correction* before = nullptr);
 
   /// Returns where a recorded pose was, according to the corrected trajectory.
   Pose corrected(const TrackedPose& recorded) const;
+
+  /// Returns the number of the first recorded poses whose result is that of the correction before.
+  std::size_t unchanged(const TrackedPoses& recorded) const;
 
   /// Returns the corrected poses within the time of the recorded ones, with their odometry.
   const TrackedPoses& poses() const { return poses_; }
@@ -32,6 +40,7 @@ class Correction {
  private:
   Pose T_corrected_odom(std::size_t index) const;
 
+  std::size_t shared_ = 0;  // number of the first poses that the correction before had, too
   TrackedPoses poses_;
   Pose first_change_, last_change_;  // from recorded poses in map to corrected ones
 };

@@ -20,10 +20,16 @@ struct TrackedPose {
 /// A sequence of tracked poses in the order of their stamps, packed.
 class TrackedPoses {
  public:
+  /// Makes room for `count` poses in total.
+  void reserve(std::size_t count);
   /// Makes room for one more pose: the next push_back() cannot fail.
   void reserve_one_more();
   /// Appends a pose. Its stamp must be later than that of the last one.
   void push_back(const TrackedPose& pose);
+  /// Appends the first `count` poses of `others`, which must be later than the last one.
+  void append_first(std::size_t count, const TrackedPoses& others);
+  /// Returns true if there is a pose at `index` and it has this stamp and pose in map, bit by bit.
+  bool holds(std::size_t index, const StampedPose& in_map) const;
   /// Keeps only the poses at these ascending indices.
   void keep(const std::vector<std::uint32_t>& indices);
 

@@ -2,8 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
-#include <optional>
+#include <memory>
 #include <vector>
 
 #include "modeler/geometry/packed_poses.hpp"
@@ -14,11 +15,13 @@
 namespace ribbon_mapper {
 
 /// The acquisition poses of all lines: as they were recorded, and as they are now. Every correction
-/// is measured from the recorded ones, so that corrections do not accumulate errors.
+/// is measured from the recorded ones, so that corrections do not accumulate errors. Copies share
+/// the recorded poses until a line is added or removed; they must stay within one thread.
 class Trajectory {
  public:
   /// Creates an empty trajectory.
-  explicit Trajectory(const TrajectoryConfig& config) : config_(config) {}
+  explicit Trajectory(const TrajectoryConfig& config)
+      : config_(config), recorded_(std::make_shared<TrackedPoses>()) {}
 
   /// Makes room for one more pose: the next add() cannot fail.
   void reserve_one_more();
@@ -39,15 +42,17 @@ class Trajectory {
   void keep(const std::vector<std::uint32_t>& indices);
 
   /// Returns the number of poses.
-  std::size_t size() const { return recorded_.size(); }
+  std::size_t size() const { return recorded_->size(); }
   /// Returns the pose at `index` as it is now.
   Pose T_map_base(std::size_t index) const;
   /// Returns all poses as they are now.
   std::vector<StampedPose> poses() const;
+  /// Returns the number of the first poses that are those of `other`, bit by bit.
+  std::size_t common_with(const Trajectory& other) const;
   /// Returns all poses as they were recorded.
-  const TrackedPoses& recorded() const { return recorded_; }
+  const TrackedPoses& recorded() const { return *recorded_; }
   /// Returns true if the trajectory has been corrected.
-  bool is_corrected() const { return correction_.has_value(); }
+  bool is_corrected() const { return correction_ != nullptr; }
   /// Returns the corrected poses within the time of the trajectory, with their odometry. Needs
   /// is_corrected().
   const TrackedPoses& corrected() const { return correction_->poses(); }
@@ -55,10 +60,14 @@ class Trajectory {
   std::size_t memory_bytes() const;
 
  private:
+  const PackedPoses& poses_now() const;
+  TrackedPoses& own_recorded();
+
   TrajectoryConfig config_;
-  TrackedPoses recorded_;
+  std::shared_ptr<TrackedPoses> recorded_;
   PackedPoses T_map_base_;  // empty before the first correction
-  std::optional<Correction> correction_;
+  std::shared_ptr<const Correction> correction_;
+  bool is_as_corrected_ = false;  // all poses are what the correction says of the recorded ones
 };
 
 }  // namespace ribbon_mapper
