@@ -8,6 +8,15 @@
 #include "modeler/geometry/vector_storage.hpp"
 
 namespace ribbon_mapper {
+namespace {
+
+/// Returns whether all numbers have the same bits. Unlike ==, tells -0 from 0.
+bool have_same_bits(const std::array<double, 7>& a, const std::array<double, 7>& b) {
+  // NOLINTNEXTLINE(bugprone-suspicious-memory-comparison): it is what is meant
+  return std::memcmp(a.data(), b.data(), sizeof a) == 0;
+}
+
+}  // namespace
 
 PackedPoses::Packed PackedPoses::packed(const Pose& pose) {
   const Eigen::Quaterniond q = Eigen::Quaterniond(pose.linear()).normalized();
@@ -29,13 +38,13 @@ void PackedPoses::append_first(std::size_t count, const PackedPoses& others) {
 
 bool PackedPoses::holds(std::size_t index, const Pose& pose) const {
   const Packed other = packed(pose);
-  return std::memcmp(&poses_[index], &other, sizeof other) == 0;
+  return have_same_bits(poses_[index], other);
 }
 
 std::size_t PackedPoses::common_with(const PackedPoses& others) const {
   const std::size_t count = std::min(size(), others.size());
   std::size_t i = 0;
-  while (i < count && std::memcmp(&poses_[i], &others.poses_[i], sizeof(Packed)) == 0) ++i;
+  while (i < count && have_same_bits(poses_[i], others.poses_[i])) ++i;
   return i;
 }
 

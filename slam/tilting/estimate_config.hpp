@@ -18,6 +18,10 @@ struct EstimateConfig {
   /// that is assumed too small loses the robot. The data correct it within a minute.
   double first_noise_scale = 3.0;
 
+  /// The same for height, roll and pitch. One: what gmapping assumes in the plane. A level floor
+  /// lowers it, ramps raise it.
+  double first_spatial_scale = 1.0;
+
   /// Time between two adjustments of the newest poses [s]. The PR2 drives about a metre in it, so
   /// that a new part of the scene has come into view.
   double window_step_s = 3.0;

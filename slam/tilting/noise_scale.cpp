@@ -31,10 +31,21 @@ bool is_still(const TrajectorySegment& span) {
 
 }  // namespace
 
-NoiseScale::NoiseScale(double assumed) : assumed_(assumed) {}
-
-double NoiseScale::planar_scale() const {
+double NoiseScale::Mean::value() const {
   return std::sqrt((kPriorSpans * square(assumed_) + square_sum_) / (kPriorSpans + spans_));
+}
+
+void NoiseScale::Mean::add(double measured) {
+  const double plausible = std::min(measured, kMaxSigmas * value());
+  square_sum_ += std::max(square(kMinScale), square(plausible) / kShownPart);
+  spans_ += 1.0;
+}
+
+OdometryNoise NoiseScale::noise() const {
+  OdometryNoise noise;
+  noise.planar_scale = planar_.value();
+  noise.spatial_scale = spatial_.value();
+  return noise;
 }
 
 void NoiseScale::learn(const PosedLines& lines, std::uint32_t first, std::uint32_t end) {
@@ -46,10 +57,9 @@ void NoiseScale::learn(const PosedLines& lines, std::uint32_t first, std::uint32
     span.T_frame_start = lines.T_start_base(start), span.T_frame_end = lines.T_start_base(i);
     start = i;
     if (is_still(span)) continue;
-    const double scale = fitted_noise({span}).planar_scale;
-    const double most = kMaxSigmas * planar_scale();
-    square_sum_ += std::max(square(kMinScale), square(std::min(scale, most)) / kShownPart);
-    spans_ += 1.0;
+    const OdometryNoise fitted = fitted_noise({span});
+    planar_.add(fitted.planar_scale);
+    spatial_.add(fitted.spatial_scale);
   }
 }
 

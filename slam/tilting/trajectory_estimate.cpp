@@ -12,21 +12,16 @@ namespace {
 
 // The robot hardly moves within so many lines (half a second at 40 Hz): one stands for all.
 constexpr std::uint32_t kLinesOfPlace = 20;
-// Wheels keep the base on the floor: out of the plane, its odometry errs by a hundredth of what
-// gmapping assumes in the plane. It is the least that fitted_noise() returns.
-constexpr double kSpatialScale = 0.01;
 
 }  // namespace
 
 TrajectoryEstimate::TrajectoryEstimate(const Observations& observations,
                                        const EstimateSettings& settings)
     : settings_(settings),
-      noise_scale_(settings.estimate.first_noise_scale),
+      noise_scale_(settings.estimate.first_noise_scale, settings.estimate.first_spatial_scale),
+      noise_(noise_scale_.noise()),
       lines_(observations),
-      tracker_(settings) {
-  noise_.planar_scale = noise_scale_.planar_scale();
-  noise_.spatial_scale = kSpatialScale;
-}
+      tracker_(settings) {}
 
 bool TrajectoryEstimate::update() {
   if (lines_.keep_in_step()) settled_ = 0;
@@ -78,7 +73,7 @@ std::vector<std::uint32_t> TrajectoryEstimate::context_of(std::uint32_t first) c
 void TrajectoryEstimate::learn_noise(std::uint32_t first_of_window) {
   if (first_of_window <= settled_ + 1) return;
   noise_scale_.learn(lines_, settled_, first_of_window);
-  noise_.planar_scale = noise_scale_.planar_scale();
+  noise_ = noise_scale_.noise();
   settled_ = first_of_window - 1;
 }
 

@@ -40,18 +40,40 @@ class Drive {
   PosedLines lines_;
 };
 
-TEST(NoiseScale, IsTheAssumedOneAtFirst) { EXPECT_DOUBLE_EQ(NoiseScale(3.0).planar_scale(), 3.0); }
+TEST(NoiseScale, IsTheAssumedOneAtFirst) {
+  EXPECT_DOUBLE_EQ(NoiseScale(3.0, 1.0).noise().planar_scale, 3.0);
+  EXPECT_DOUBLE_EQ(NoiseScale(3.0, 1.0).noise().spatial_scale, 1.0);
+}
 
 TEST(NoiseScale, IsLearntWhateverWasAssumed) {
   constexpr int kLines = 40'000;  // 500 spans
   for (const double scale : {0.5, 2.0, 6.0}) {
     const Drive drive(scale, kLines);
-    NoiseScale learnt(3.0);
+    NoiseScale learnt(3.0, 1.0);
     learnt.learn(drive.lines(), 0, kLines);
     // Against true poses, the odometry shows all of its error, of which 0.65 is expected.
-    EXPECT_NEAR(learnt.planar_scale() / scale, 1.0 / std::sqrt(0.65), scale < 1.0 ? 0.35 : 0.12)
+    EXPECT_NEAR(learnt.noise().planar_scale / scale, 1.0 / std::sqrt(0.65),
+                scale < 1.0 ? 0.35 : 0.12)
         << "scale " << scale;
   }
+}
+
+TEST(NoiseScale, OutOfThePlaneIsWhatTheFloorSays) {
+  constexpr int kLines = 8000;  // 100 spans
+  const Drive drive(1.0, kLines);
+  NoiseScale level(3.0, 1.0), rough(3.0, 1.0);
+  PosedLines over_bumps = drive.lines();
+  for (std::uint32_t i = 0; i < kLines; ++i) {
+    const double height_m = 0.05 * std::sin(0.03 * i);
+    over_bumps.set_pose(i,
+                        Eigen::Translation3d(0.0, 0.0, height_m) * drive.lines().T_start_base(i));
+  }
+  // The odometry of Drive errs out of the plane as in it.
+  level.learn(drive.lines(), 0, kLines);
+  rough.learn(over_bumps, 0, kLines);
+  EXPECT_LT(level.noise().spatial_scale, 2.0);
+  EXPECT_GT(rough.noise().spatial_scale, 3.0);
+  EXPECT_LT(rough.noise().planar_scale, 1.2 * level.noise().planar_scale);
 }
 
 TEST(NoiseScale, OfARobotThatStandsIsTheAssumedOne) {
@@ -61,15 +83,15 @@ TEST(NoiseScale, OfARobotThatStandsIsTheAssumedOne) {
     observations.add_line({{Time(25'000'000) * i, Pose::Identity()}, Pose::Identity()}, {});
     lines.add_next();
   }
-  NoiseScale learnt(3.0);
+  NoiseScale learnt(3.0, 1.0);
   learnt.learn(lines, 0, 400);
-  EXPECT_DOUBLE_EQ(learnt.planar_scale(), 3.0);
+  EXPECT_DOUBLE_EQ(learnt.noise().planar_scale, 3.0);
 }
 
 TEST(NoiseScale, HardlyHeedsASlip) {
   constexpr int kLines = 8000;  // 100 spans
   Drive drive(1.0, kLines);
-  NoiseScale without(1.0), with(1.0);
+  NoiseScale without(1.0, 1.0), with(1.0, 1.0);
   without.learn(drive.lines(), 0, kLines);
   PosedLines slipped = drive.lines();
   const Pose slip = planar_pose(0.0, 0.0, 0.5);
@@ -77,7 +99,7 @@ TEST(NoiseScale, HardlyHeedsASlip) {
     slipped.set_pose(i, slip * slipped.T_start_base(i));
   }
   with.learn(slipped, 0, kLines);
-  EXPECT_LT(with.planar_scale(), 1.3 * without.planar_scale());
+  EXPECT_LT(with.noise().planar_scale, 1.3 * without.noise().planar_scale);
 }
 
 }  // namespace
