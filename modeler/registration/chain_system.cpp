@@ -37,7 +37,6 @@ struct Front {
 /// What is left to do once the remaining unknowns of a front are known.
 struct Elimination {
   std::vector<Unknown> eliminated, remaining;
-  Eigen::LLT<MatrixXd> factor;
   MatrixXd coupling;  // factor^-1 * (block between eliminated and remaining)
   VectorXd vector;    // factor^-1 * right-hand side
 };
@@ -198,9 +197,9 @@ Front ChainElimination::reduced(const Front& front, std::size_t eliminated) {
   step.eliminated.assign(front.unknowns.begin(), split);
   step.remaining.assign(split, front.unknowns.end());
   const Index e = size_of(step.eliminated), r = front.matrix.rows() - e;
-  step.factor.compute(front.matrix.topLeftCorner(e, e));
-  step.coupling = step.factor.solve(front.matrix.topRightCorner(e, r));
-  step.vector = step.factor.solve(front.vector.head(e));
+  const Eigen::LLT<MatrixXd> factor(front.matrix.topLeftCorner(e, e));
+  step.coupling = factor.solve(front.matrix.topRightCorner(e, r));
+  step.vector = factor.solve(front.vector.head(e));
   Front rest;
   rest.unknowns = step.remaining;
   rest.matrix = front.matrix.bottomRightCorner(r, r);

@@ -18,8 +18,6 @@ namespace {
 
 // The three lines that a ribbon is made from: between so few there is nothing to register.
 constexpr std::uint32_t kLinesOfRibbon = 3;
-// The average time of a beam from the middle of its line, in intervals between lines.
-constexpr double kMeanBeamOffset = 0.25;
 
 class Registration {
  public:
@@ -80,7 +78,7 @@ void Registration::add_observations(const PackedPoses& T_odom_base) {
   for (const Ribbon& ribbon : ribbons_) {
     const std::size_t next = std::min<std::size_t>(ribbon.pose + 1, lines_.size() - 1);
     const Pose step = T_odom_base[next - 1].inverse(Eigen::Isometry) * T_odom_base[next];
-    const Vector6 motion = kMeanBeamOffset * odometry_noise_.variances(step);
+    const Vector6 motion = odometry_noise_.variances_within_line(step);
     lines_[ribbon.pose].observations.emplace_back(ribbon, range_noise_, motion);
   }
 }

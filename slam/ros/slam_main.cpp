@@ -4,11 +4,11 @@
 // Estimates the trajectory of a bag without a master: see `offline_slam --help`.
 
 #include <ros/time.h>
-#include <sys/resource.h>
 
 #include <chrono>
 #include <cstdio>
 
+#include "modeler/program/process_cost.hpp"
 #include "modeler/program/progress_bar.hpp"
 #include "modeler/program/run_program.hpp"
 #include "modeler/storage/disk.hpp"
@@ -19,17 +19,6 @@ namespace {
 using namespace ribbon_mapper;
 using Clock = std::chrono::steady_clock;
 
-double seconds(const timeval& time) { return time.tv_sec + 1e-6 * time.tv_usec; }
-
-/// Adds the time and memory that the process has used so far.
-void add_cost(Clock::time_point start, slam::SlamSummary& summary) {
-  rusage usage{};
-  getrusage(RUSAGE_SELF, &usage);
-  summary.wall_s = std::chrono::duration<double>(Clock::now() - start).count();
-  summary.cpu_s = seconds(usage.ru_utime) + seconds(usage.ru_stime);
-  summary.peak_memory_mib = usage.ru_maxrss / 1024.0;
-}
-
 void run(const slam::SlamOptions& options) {
   const Clock::time_point start = Clock::now();
   create_directory_for_files(options.output);  // better now than after the work
@@ -38,7 +27,10 @@ void run(const slam::SlamOptions& options) {
     ProgressBar bar;
     result = slam::run_slam(options, [&](const Progress& progress) { bar.show(progress); });
   }
-  add_cost(start, result.summary);
+  const ProcessCost cost = process_cost();
+  result.summary.wall_s = std::chrono::duration<double>(Clock::now() - start).count();
+  result.summary.cpu_s = cost.cpu_s;
+  result.summary.peak_memory_mib = cost.peak_memory_mib;
   slam::write_slam(result, options.output, options.with_figure);
   std::printf("%sresults in %s\n", summary_text(result.summary).c_str(), options.output.c_str());
 }

@@ -5,12 +5,6 @@
 #include <algorithm>
 
 namespace ribbon_mapper::slam {
-namespace {
-
-// The average time of a beam from the middle of its line, in intervals between lines.
-constexpr double kMeanBeamOffset = 0.25;
-
-}  // namespace
 
 bool PosedLines::keep_in_step() {
   const std::vector<Ribbon>& ribbons = observations_->ribbons();
@@ -50,7 +44,7 @@ Pose PosedLines::step(std::size_t line) const {
 
 std::vector<PlaneObservation> PosedLines::measured(std::size_t line, const OdometryNoise& noise,
                                                    const RangeNoise& ranges) const {
-  const Vector6 motion = kMeanBeamOffset * noise.variances(step(line));
+  const Vector6 motion = noise.variances_within_line(step(line));
   std::vector<PlaneObservation> result;
   result.reserve(first_ribbons_[line + 1] - first_ribbons_[line]);
   for (std::uint32_t i = first_ribbons_[line]; i < first_ribbons_[line + 1]; ++i) {

@@ -95,7 +95,8 @@ void TrajectoryEstimate::restart_tracker(std::vector<std::uint32_t> context, std
 void TrajectoryEstimate::finish() {
   if (lines_.size() < 2) return;
   adjust_lines(lines_, {1, lines_.size(), {0}}, noise_, settings_);
-  restart_tracker(context_of(first_of_window()), first_of_window());
+  const std::uint32_t first = first_of_window();
+  restart_tracker(context_of(first), first);
 }
 
 std::vector<StampedPose> TrajectoryEstimate::trajectory() const {

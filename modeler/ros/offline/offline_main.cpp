@@ -3,11 +3,10 @@
 //
 // Models a bag without a master: see `offline_modeler --help`.
 
-#include <sys/resource.h>
-
 #include <chrono>
 #include <cstdio>
 
+#include "modeler/program/process_cost.hpp"
 #include "modeler/program/progress_bar.hpp"
 #include "modeler/program/run_program.hpp"
 #include "modeler/ros/offline/offline_run.hpp"
@@ -18,17 +17,6 @@ namespace {
 using namespace ribbon_mapper;
 using Clock = std::chrono::steady_clock;
 
-double seconds(const timeval& time) { return time.tv_sec + 1e-6 * time.tv_usec; }
-
-/// Adds the time and memory that the process has used so far.
-void add_cost(Clock::time_point start, OfflineSummary& summary) {
-  rusage usage{};
-  getrusage(RUSAGE_SELF, &usage);
-  summary.wall_s = std::chrono::duration<double>(Clock::now() - start).count();
-  summary.cpu_s = seconds(usage.ru_utime) + seconds(usage.ru_stime);
-  summary.peak_memory_mib = usage.ru_maxrss / 1024.0;
-}
-
 void run(const OfflineOptions& options) {
   const Clock::time_point start = Clock::now();
   create_directory_for_files(options.output);  // better now than after the work
@@ -37,7 +25,10 @@ void run(const OfflineOptions& options) {
     ProgressBar bar;
     run = model_bags(options, [&](const Progress& progress) { bar.show(progress); });
   }
-  add_cost(start, run.summary);
+  const ProcessCost cost = process_cost();
+  run.summary.wall_s = std::chrono::duration<double>(Clock::now() - start).count();
+  run.summary.cpu_s = cost.cpu_s;
+  run.summary.peak_memory_mib = cost.peak_memory_mib;
   write_model(run, options.output, options.with_figure);
   std::printf("%sresults in %s\n", summary_text(run.summary).c_str(), options.output.c_str());
 }

@@ -3,8 +3,6 @@
 #include "modeler/ros/offline/offline_run.hpp"
 
 #include <algorithm>
-#include <array>
-#include <cstdio>
 #include <optional>
 #include <stdexcept>
 
@@ -111,11 +109,8 @@ bool stands_still(const std::vector<StampedPose>& trajectory) {
 std::vector<StampedPose> finished(slam::TrajectoryEstimate& estimate, const Modeler& modeler,
                                   std::string& origin) {
   estimate.finish();
-  std::array<char, 128> text;
-  std::snprintf(text.data(), text.size(),
-                "estimated from odometry and planes; odometry %.1f x gmapping's noise",
-                estimate.noise_scale());
-  origin = text.data();
+  origin = "estimated from odometry and planes; odometry " + number(estimate.noise_scale(), 1) +
+           " x gmapping's noise";
   std::vector<StampedPose> poses = estimate.trajectory();
   const Pose T_map_estimate =
       modeler.trajectory().front().T_map_base * poses.front().T_map_base.inverse(Eigen::Isometry);
