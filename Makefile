@@ -16,7 +16,7 @@ build: ## install what is needed, configure and build
 
 test: GROUP = test
 test: build ## all tests
-	ctest --test-dir build --output-on-failure
+	ctest --test-dir build -j $(JOBS) --output-on-failure
 
 # A port of its own, so that a ROS master which runs already is left alone.
 demo: export ROS_MASTER_URI = http://localhost:11411

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "modeler/observations/observations.hpp"
+#include "slam/tilting/decision.hpp"
 #include "slam/tilting/line_tracker.hpp"
 #include "slam/tilting/noise_scale.hpp"
 
@@ -37,6 +38,11 @@ class TrajectoryEstimate {
   /// Returns the covariance of the newest pose, as tracked, in the frame of the first line's base.
   const Matrix6& covariance() const { return tracker_.belief().covariance; }
 
+  /// Returns true while the robot may be on known ground at a wrong pose.
+  bool is_lost() const { return is_lost_; }
+  /// Returns all decisions about where the robot is, in their order.
+  const std::vector<Decision>& decisions() const { return decisions_; }
+
   /// Returns the learnt scale of the odometry's noise, see OdometryNoise::planar_scale.
   double noise_scale() const { return noise_.planar_scale; }
 
@@ -55,6 +61,8 @@ class TrajectoryEstimate {
   Pose T_odom_start_ = Pose::Identity();
   Time last_window_{0};        // stamp of the line at which the last window was adjusted
   std::uint32_t settled_ = 0;  // lines before it have left all windows
+  bool is_lost_ = false;
+  std::vector<Decision> decisions_;
 };
 
 }  // namespace ribbon_mapper::slam

@@ -1,0 +1,28 @@
+// SPDX-FileCopyrightText: 2026 ribbon_mapper authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <string>
+
+#include "modeler/geometry/time.hpp"
+
+namespace ribbon_mapper::slam {
+
+/// A decision of the estimate about where the robot is.
+struct Decision {
+  /// What was decided.
+  enum class Kind {
+    lost,    ///< most of what is seen is unknown, and may be known ground at a wrong pose
+    found,   ///< the newest poses were moved onto older planes
+    kept,    ///< no move explains clearly more: the robot is on new ground
+    undone,  ///< a move of before explains less than the poses without it, which are back
+  };
+  Kind kind;           ///< what was decided
+  Time stamp;          ///< of the line at which it was
+  std::string reason;  ///< the figures that it rests on
+};
+
+/// Returns the name of a kind as it stands in files and on /diagnostics.
+std::string name_of(Decision::Kind kind);
+
+}  // namespace ribbon_mapper::slam
