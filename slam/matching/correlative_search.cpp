@@ -166,13 +166,17 @@ std::optional<SearchResult> CorrelativeSearch::find(const LevelPoints& points,
   task.least = static_cast<int>(window.least_score * full);
   const auto first = best(task);
   if (!first) return std::nullopt;
-  SearchResult result{{guess.x_m + first->x * kCell_m, guess.y_m + first->y * kCell_m,
-                       wrapped(task.yaws[first->angle])},
-                      first->sum / full,
-                      0.0};
+  const auto pose_of = [&](const Candidate& candidate) {
+    return PlanarPose{guess.x_m + candidate.x * kCell_m, guess.y_m + candidate.y * kCell_m,
+                      wrapped(task.yaws[candidate.angle])};
+  };
+  SearchResult result{pose_of(*first), first->sum / full, 0.0, {}};
   if (second_share <= 0.0) return result;
   task.excluded = first, task.least = static_cast<int>(second_share * first->sum);
-  if (const auto second = best(task)) result.second_score = second->sum / full;
+  if (const auto second = best(task)) {
+    result.second_score = second->sum / full;
+    result.T_map_base_second = pose_of(*second);
+  }
   return result;
 }
 

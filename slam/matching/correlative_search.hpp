@@ -22,6 +22,7 @@ struct SearchResult {
   PlanarPose T_map_base;      ///< the best one
   double score = 0.0;         ///< share of the points that lie on the map, 0..1
   double second_score = 0.0;  ///< of the best pose elsewhere, if it is near the best; else 0
+  PlanarPose T_map_base_second;  ///< that pose
 };
 
 /// Finds the pose at which points lie on a map, by branch and bound over all poses of a window: the

@@ -8,6 +8,7 @@
 #include "modeler/modeler_config.hpp"
 #include "modeler/registration/plane_observation.hpp"
 #include "modeler/registration/registration_config.hpp"
+#include "slam/tilting/relocaliser_config.hpp"
 
 namespace ribbon_mapper::slam {
 
@@ -44,6 +45,8 @@ struct EstimateConfig {
 
   /// Gauss-Newton steps in a round. The second removes the linearisation error of the first.
   int steps_per_round = 2;
+
+  RelocaliserConfig relocaliser;  ///< being lost, and found
 };
 
 /// All settings that the estimate depends on.

@@ -3,7 +3,6 @@
 #include "slam/tilting/known_planes.hpp"
 
 namespace ribbon_mapper::slam {
-namespace {
 
 std::vector<Hypothesis> planes_of(const PosedLines& lines,
                                   const std::vector<std::uint32_t>& indices,
@@ -22,8 +21,6 @@ std::vector<Hypothesis> planes_of(const PosedLines& lines,
   }
   return planes;
 }
-
-}  // namespace
 
 KnownPlanes::KnownPlanes(const PosedLines& lines, const std::vector<std::uint32_t>& indices,
                          const AssociationGates& gates, const EstimateSettings& settings)

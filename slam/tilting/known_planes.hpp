@@ -12,6 +12,12 @@
 
 namespace ribbon_mapper::slam {
 
+/// Returns the planes of some lines at their poses: their ribbons are associated in their order.
+/// Planes of fewer than RegistrationConfig::min_ribbons ribbons are left out.
+std::vector<Hypothesis> planes_of(const PosedLines& lines,
+                                  const std::vector<std::uint32_t>& indices,
+                                  const AssociationGates& gates, const EstimateSettings& settings);
+
 /// The planes of some lines at their poses, as landmarks for others.
 class KnownPlanes {
  public:

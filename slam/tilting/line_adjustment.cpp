@@ -23,6 +23,13 @@ PoseBelief belief_within(const Pose& T_start_base, const AssociationGates& gates
   return belief;
 }
 
+/// Returns the variances of a step that may be wrong by any amount in the plane.
+Vector6 slip_variances() {
+  Vector6 variances = Vector6::Zero();
+  variances[0] = variances[1] = variances[5] = 1.0;
+  return variances;
+}
+
 class Adjustment {
  public:
   Adjustment(PosedLines& lines, const AdjustedLines& which, const OdometryNoise& noise,
@@ -101,6 +108,9 @@ TrajectorySegment Adjustment::segment() const {
   for (std::uint32_t i = which_.first; i < which_.end; ++i) segment.steps.push_back(lines_.step(i));
   segment.steps.push_back(Pose::Identity());  // the end is open
   set_step_variances(noise_, segment);
+  for (std::uint32_t i = which_.first; i < which_.end; ++i) {
+    if (lines_.is_slip(i)) segment.step_variances[index_of(i)] += slip_variances();
+  }
   segment.T_frame_start = lines_.T_start_base(which_.first - 1);
   return segment;
 }

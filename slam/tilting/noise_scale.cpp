@@ -53,10 +53,14 @@ void NoiseScale::learn(const PosedLines& lines, std::uint32_t first, std::uint32
   for (std::uint32_t i = first; i < end; ++i) {
     if (lines.seconds_between(start, i) < kSpan_s) continue;
     TrajectorySegment span;
-    for (std::uint32_t k = start + 1; k <= i; ++k) span.steps.push_back(lines.step(k));
+    bool has_slip = false;
+    for (std::uint32_t k = start + 1; k <= i; ++k) {
+      span.steps.push_back(lines.step(k));
+      has_slip = has_slip || lines.is_slip(k);
+    }
     span.T_frame_start = lines.T_start_base(start), span.T_frame_end = lines.T_start_base(i);
     start = i;
-    if (is_still(span)) continue;
+    if (has_slip || is_still(span)) continue;
     const OdometryNoise fitted = fitted_noise({span});
     planar_.add(fitted.planar_scale);
     spatial_.add(fitted.spatial_scale);

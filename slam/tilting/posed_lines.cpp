@@ -17,6 +17,12 @@ bool PosedLines::keep_in_step() {
     if (std::binary_search(stamps.begin(), stamps.end(), stamps_[line])) kept.push_back(line);
   }
   T_start_base_.keep(kept);
+  std::set<std::uint32_t> slips;  // the step to the next line that is left holds the wrong one
+  for (const std::uint32_t slip : slips_) {
+    slips.insert(static_cast<std::uint32_t>(std::lower_bound(kept.begin(), kept.end(), slip) -
+                                            kept.begin()));
+  }
+  slips_ = std::move(slips);
   stamps_.assign(stamps.begin(), stamps.begin() + static_cast<std::ptrdiff_t>(kept.size()));
   first_ribbons_.assign(1, 0);
   for (std::uint32_t line = 0; line < size(); ++line) first_ribbons_.push_back(end_of_line(line));
@@ -28,6 +34,13 @@ std::uint32_t PosedLines::end_of_line(std::uint32_t line) const {
   std::uint32_t end = first_ribbons_.back();
   while (end < ribbons.size() && ribbons[end].pose == line) ++end;
   return end;
+}
+
+void PosedLines::set_slip(std::uint32_t line, bool is_slip) {
+  if (is_slip)
+    slips_.insert(line);
+  else
+    slips_.erase(line);
 }
 
 void PosedLines::add_next() {

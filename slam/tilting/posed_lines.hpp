@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstdint>
+#include <set>
 #include <vector>
 
 #include "modeler/geometry/packed_poses.hpp"
@@ -34,6 +35,12 @@ class PosedLines {
     T_start_base_.set(line, T_start_base);
   }
 
+  /// Declares whether the odometry's step to a line may be wrong by any amount in the plane: the
+  /// wheels slipped, or the robot was pushed.
+  void set_slip(std::uint32_t line, bool is_slip);
+  /// Returns true if the odometry's step to a line was declared wrong.
+  bool is_slip(std::uint32_t line) const { return slips_.count(line) > 0; }
+
   /// Returns the number of lines.
   std::uint32_t size() const { return static_cast<std::uint32_t>(stamps_.size()); }
   /// Returns the stamp of a line.
@@ -59,6 +66,10 @@ class PosedLines {
   PosedRibbon posed_ribbon(std::size_t index) const {
     return {ribbon(index), T_start_base(ribbon(index).pose)};
   }
+  /// Returns the laser's position at a line, in start [m].
+  Eigen::Vector3d sensor(std::size_t line) const {
+    return T_start_base(line) * observations_->unassigned()[line].sensor.cast<double>();
+  }
   /// Returns what the ribbons of a line measure, in their order.
   std::vector<PlaneObservation> measured(std::size_t line, const OdometryNoise& noise,
                                          const RangeNoise& ranges) const;
@@ -71,6 +82,7 @@ class PosedLines {
   PackedPoses T_start_base_;
   std::vector<std::uint32_t> first_ribbons_{0};  // of each line, and their number
   std::size_t ribbons_seen_ = 0;
+  std::set<std::uint32_t> slips_;  // lines
 };
 
 }  // namespace ribbon_mapper::slam

@@ -4,27 +4,20 @@
 
 #include <algorithm>
 
-#include "modeler/geometry/square.hpp"
 #include "slam/tilting/line_adjustment.hpp"
 
 namespace ribbon_mapper::slam {
-namespace {
-
-// The robot hardly moves within so many lines (half a second at 40 Hz): one stands for all.
-constexpr std::uint32_t kLinesOfPlace = 20;
-
-}  // namespace
-
 TrajectoryEstimate::TrajectoryEstimate(const Observations& observations,
                                        const EstimateSettings& settings)
     : settings_(settings),
       noise_scale_(settings.estimate.first_noise_scale, settings.estimate.first_spatial_scale),
       noise_(noise_scale_.noise()),
       lines_(observations),
-      tracker_(settings) {}
+      tracker_(settings),
+      relocaliser_(settings) {}
 
 bool TrajectoryEstimate::update() {
-  if (lines_.keep_in_step()) settled_ = 0;
+  if (lines_.keep_in_step()) settled_ = 0, relocaliser_.forget_lines();
   bool is_revised = false;
   while (lines_.has_next()) {
     lines_.add_next();
@@ -39,37 +32,6 @@ bool TrajectoryEstimate::update() {
   return is_revised;
 }
 
-std::uint32_t TrajectoryEstimate::first_of_window() const {
-  const std::uint32_t last = lines_.size() - 1;
-  std::uint32_t first = last;
-  while (first > 1 && lines_.seconds_between(first - 1, last) < settings_.estimate.window_s) {
-    --first;
-  }
-  return first;
-}
-
-std::vector<std::uint32_t> TrajectoryEstimate::context_of(std::uint32_t first) const {
-  std::vector<Eigen::Vector3d> places;
-  for (std::uint32_t i = first; i < lines_.size(); i += kLinesOfPlace) {
-    places.push_back(lines_.T_start_base(i).translation());
-  }
-  const auto is_near = [&](const Eigen::Vector3d& place) {
-    return std::any_of(places.begin(), places.end(), [&](const Eigen::Vector3d& other) {
-      return (place - other).squaredNorm() < square(settings_.estimate.context_radius_m);
-    });
-  };
-  std::vector<std::uint32_t> near;
-  for (std::uint32_t i = 0; i < first; i += kLinesOfPlace) {
-    if (!is_near(lines_.T_start_base(i).translation())) continue;
-    for (std::uint32_t k = i; k < std::min(first, i + kLinesOfPlace); ++k) near.push_back(k);
-  }
-  const auto most = static_cast<std::size_t>(settings_.estimate.max_context_lines);
-  if (near.size() <= most) return near;
-  for (std::size_t i = 0; i < most; ++i) near[i] = near[i * near.size() / most];
-  near.resize(most);
-  return near;
-}
-
 void TrajectoryEstimate::learn_noise(std::uint32_t first_of_window) {
   if (first_of_window <= settled_ + 1) return;
   noise_scale_.learn(lines_, settled_, first_of_window);
@@ -78,11 +40,16 @@ void TrajectoryEstimate::learn_noise(std::uint32_t first_of_window) {
 }
 
 void TrajectoryEstimate::adjust_window() {
-  const std::uint32_t first = first_of_window();
-  AdjustedLines window{first, lines_.size(), context_of(first)};
+  const std::uint32_t first = first_within(lines_, settings_.estimate.window_s);
+  AdjustedLines window{first, lines_.size(), context_before(first)};
   adjust_lines(lines_, window, noise_, settings_);
+  if (relocaliser_.look(lines_, noise_)) window.context = context_before(first);
   learn_noise(first);
   restart_tracker(std::move(window.context), first);
+}
+
+std::vector<std::uint32_t> TrajectoryEstimate::context_before(std::uint32_t first) const {
+  return context_of(lines_, {first, lines_.size()}, first, settings_.estimate);
 }
 
 /// Lets the tracker go on with the planes of a window that begins at `first`, and of its context.
@@ -95,8 +62,8 @@ void TrajectoryEstimate::restart_tracker(std::vector<std::uint32_t> context, std
 void TrajectoryEstimate::finish() {
   if (lines_.size() < 2) return;
   adjust_lines(lines_, {1, lines_.size(), {0}}, noise_, settings_);
-  const std::uint32_t first = first_of_window();
-  restart_tracker(context_of(first), first);
+  const std::uint32_t first = first_within(lines_, settings_.estimate.window_s);
+  restart_tracker(context_before(first), first);
 }
 
 std::vector<StampedPose> TrajectoryEstimate::trajectory() const {

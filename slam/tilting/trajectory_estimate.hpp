@@ -6,9 +6,9 @@
 #include <vector>
 
 #include "modeler/observations/observations.hpp"
-#include "slam/tilting/decision.hpp"
 #include "slam/tilting/line_tracker.hpp"
 #include "slam/tilting/noise_scale.hpp"
+#include "slam/tilting/relocaliser.hpp"
 
 namespace ribbon_mapper::slam {
 
@@ -39,9 +39,9 @@ class TrajectoryEstimate {
   const Matrix6& covariance() const { return tracker_.belief().covariance; }
 
   /// Returns true while the robot may be on known ground at a wrong pose.
-  bool is_lost() const { return is_lost_; }
+  bool is_lost() const { return relocaliser_.is_lost(); }
   /// Returns all decisions about where the robot is, in their order.
-  const std::vector<Decision>& decisions() const { return decisions_; }
+  const std::vector<Decision>& decisions() const { return relocaliser_.decisions(); }
 
   /// Returns the learnt scale of the odometry's noise, see OdometryNoise::planar_scale.
   double noise_scale() const { return noise_.planar_scale; }
@@ -50,19 +50,17 @@ class TrajectoryEstimate {
   void adjust_window();
   void restart_tracker(std::vector<std::uint32_t> context, std::uint32_t first);
   void learn_noise(std::uint32_t first_of_window);
-  std::uint32_t first_of_window() const;
-  std::vector<std::uint32_t> context_of(std::uint32_t first) const;
+  std::vector<std::uint32_t> context_before(std::uint32_t first) const;
 
   EstimateSettings settings_;
   NoiseScale noise_scale_;
   OdometryNoise noise_;
   PosedLines lines_;
   LineTracker tracker_;
+  Relocaliser relocaliser_;
   Pose T_odom_start_ = Pose::Identity();
   Time last_window_{0};        // stamp of the line at which the last window was adjusted
   std::uint32_t settled_ = 0;  // lines before it have left all windows
-  bool is_lost_ = false;
-  std::vector<Decision> decisions_;
 };
 
 }  // namespace ribbon_mapper::slam

@@ -1,0 +1,47 @@
+// SPDX-FileCopyrightText: 2026 ribbon_mapper authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "slam/tilting/context.hpp"
+
+#include <algorithm>
+
+#include "modeler/geometry/square.hpp"
+
+namespace ribbon_mapper::slam {
+namespace {
+
+// The robot hardly moves within so many lines (half a second at 40 Hz): one stands for all.
+constexpr std::uint32_t kLinesOfPlace = 20;
+
+}  // namespace
+
+std::uint32_t first_within(const PosedLines& lines, double seconds) {
+  const std::uint32_t last = lines.size() - 1;
+  std::uint32_t first = last;
+  while (first > 1 && lines.seconds_between(first - 1, last) < seconds) --first;
+  return first;
+}
+
+std::vector<std::uint32_t> context_of(const PosedLines& lines, const LineRange& range,
+                                      std::uint32_t end, const EstimateConfig& config) {
+  std::vector<Eigen::Vector3d> places;
+  for (std::uint32_t i = range.first; i < range.end; i += kLinesOfPlace) {
+    places.push_back(lines.T_start_base(i).translation());
+  }
+  const auto is_near = [&](const Eigen::Vector3d& place) {
+    return std::any_of(places.begin(), places.end(), [&](const Eigen::Vector3d& other) {
+      return (place - other).squaredNorm() < square(config.context_radius_m);
+    });
+  };
+  std::vector<std::uint32_t> near;
+  for (std::uint32_t i = 0; i < end; i += kLinesOfPlace) {
+    if (!is_near(lines.T_start_base(i).translation())) continue;
+    for (std::uint32_t k = i; k < std::min(end, i + kLinesOfPlace); ++k) near.push_back(k);
+  }
+  const auto most = static_cast<std::size_t>(config.max_context_lines);
+  if (near.size() <= most) return near;
+  for (std::size_t i = 0; i < most; ++i) near[i] = near[i * near.size() / most];
+  near.resize(most);
+  return near;
+}
+
+}  // namespace ribbon_mapper::slam

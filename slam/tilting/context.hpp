@@ -1,0 +1,27 @@
+// SPDX-FileCopyrightText: 2026 ribbon_mapper authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "slam/tilting/estimate_config.hpp"
+#include "slam/tilting/posed_lines.hpp"
+
+namespace ribbon_mapper::slam {
+
+/// Lines [first, end).
+struct LineRange {
+  std::uint32_t first = 0;  ///< the first one
+  std::uint32_t end = 0;    ///< one behind the last
+};
+
+/// Returns the first line, but not line 0, that is younger than `seconds` at the newest line.
+std::uint32_t first_within(const PosedLines& lines, double seconds);
+
+/// Returns the lines before `end` from near a range, ascending: see
+/// EstimateConfig::context_radius_m and max_context_lines.
+std::vector<std::uint32_t> context_of(const PosedLines& lines, const LineRange& range,
+                                      std::uint32_t end, const EstimateConfig& config);
+
+}  // namespace ribbon_mapper::slam

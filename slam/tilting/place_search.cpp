@@ -1,0 +1,103 @@
+// SPDX-FileCopyrightText: 2026 ribbon_mapper authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "slam/tilting/place_search.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "modeler/geometry/angles.hpp"
+#include "slam/matching/correlative_search.hpp"
+#include "slam/matching/scan_matcher.hpp"
+
+namespace ribbon_mapper::slam {
+namespace {
+
+constexpr double kSpacing_m = 0.1;  // of the points that are searched for
+// A match that goes farther from what was found, three cells, has slid along a wall.
+constexpr double kMaxSlide_m = 0.3, kMaxSlide_rad = 0.1;
+constexpr double kSame_m = 0.1, kSame_rad = 0.035;  // moves that differ by less are one
+
+PlanarPose planar_of(const Pose& pose) {
+  return {pose.translation().x(), pose.translation().y(),
+          std::atan2(pose.linear()(1, 0), pose.linear()(0, 0))};
+}
+
+LevelPoints wall_points(const PosedLines& lines, const LineRange& range) {
+  LevelPoints points;
+  for (std::uint32_t i = lines.first_ribbon(range.first); i < lines.first_ribbon(range.end); ++i) {
+    const PosedRibbon ribbon = lines.posed_ribbon(i);
+    if (!is_of_wall(ribbon.normal)) continue;
+    const Eigen::Vector2f normal = ribbon.normal.head<2>().normalized().cast<float>();
+    for (const Eigen::Vector3d& point : points_along(ribbon)) {
+      points.push_back(
+          {static_cast<float>(point.x()), static_cast<float>(point.y()), normal.x(), normal.y()});
+    }
+  }
+  return points;
+}
+
+}  // namespace
+
+Pose in_space(const PlanarPose& planar) {
+  Pose pose = Pose::Identity();
+  pose.linear() = Eigen::AngleAxisd(planar.yaw_rad, Eigen::Vector3d::UnitZ()).toRotationMatrix();
+  pose.translation() << planar.x_m, planar.y_m, 0.0;
+  return pose;
+}
+
+Agreement agreement_of(const PosedLines& lines, const LineRange& range, const Pose& T_start_start,
+                       const KnownScene& scene, const AssociationGates& gates) {
+  Agreement agreement;
+  for (std::uint32_t line = range.first; line < range.end; ++line) {
+    const Pose T_start_base = T_start_start * lines.T_start_base(line);
+    const Eigen::Vector3d sensor = T_start_start * lines.sensor(line);
+    for (std::uint32_t i = lines.first_ribbon(line); i < lines.first_ribbon(line + 1); ++i) {
+      const PosedRibbon ribbon(lines.ribbon(i), T_start_base);
+      if (!is_of_wall(ribbon.normal)) continue;
+      const double length = ribbon.ribbon->length_m;
+      agreement.seen_m += length;
+      if (scene.wall_of(ribbon, gates) != nullptr) agreement.known_m += length;
+      if (scene.stands_between(sensor, ribbon.centroid)) agreement.pierced_m += length;
+    }
+  }
+  return agreement;
+}
+
+std::vector<PlaceMove> find_moves(const PosedLines& lines, const LineRange& range,
+                                  const KnownScene& scene, const EstimateConfig& config) {
+  const RelocaliserConfig& limits = config.relocaliser;
+  const PlanarPose here = planar_of(lines.T_start_base(range.end - 1));
+  LevelPoints points;  // as seen from the newest line
+  append_moved(thinned(wall_points(lines, range), kSpacing_m), inverse(here), points);
+  const LevelPoints known = thinned(scene.points(), 0.5 * kSpacing_m);
+  const auto found = CorrelativeSearch(known).find(
+      points, here, {limits.radius_m, limits.angle_deg * kDegree, limits.least_score},
+      limits.second_share);
+  if (!found) return {};
+  const SurfaceMap surfaces(known);
+  std::vector<PlaceMove> moves;
+  const auto add = [&](const PlanarPose& guess) {
+    const double most = std::max(std::abs(guess.x_m - here.x_m), std::abs(guess.y_m - here.y_m));
+    if (most > limits.radius_m - kSame_m) return;  // the peak may lie outside
+    const PlanarPose there = match(points, surfaces, guess, std::nullopt, MatchConfig{}).T_map_base;
+    const PlanarPose slid = relative(guess, there);
+    if (slid.translation().norm() > kMaxSlide_m || std::abs(slid.yaw_rad) > kMaxSlide_rad) return;
+    const Pose T_start_start = in_space(there * inverse(here));
+    moves.push_back({T_start_start, relative(here, there),
+                     agreement_of(lines, range, T_start_start, scene, config.gates.front())});
+  };
+  add(found->T_map_base);
+  if (found->second_score > 0.0) add(found->T_map_base_second);
+  if (moves.size() < 2) return moves;
+  const auto evidence_m = [](const PlaceMove& move) { return move.agreement.evidence_m(); };
+  if (evidence_m(moves[1]) > evidence_m(moves[0])) std::swap(moves[0], moves[1]);
+  const PlanarPose apart = relative(moves[0].at_robot, moves[1].at_robot);
+  const bool is_same = apart.translation().norm() < kSame_m && std::abs(apart.yaw_rad) < kSame_rad;
+  if (is_same || evidence_m(moves[1]) < limits.second_share * evidence_m(moves[0])) {
+    moves.pop_back();
+  }
+  return moves;
+}
+
+}  // namespace ribbon_mapper::slam

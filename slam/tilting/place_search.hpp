@@ -1,0 +1,52 @@
+// SPDX-FileCopyrightText: 2026 ribbon_mapper authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "slam/matching/planar_pose.hpp"
+#include "slam/tilting/context.hpp"
+#include "slam/tilting/known_scene.hpp"
+
+namespace ribbon_mapper::slam {
+
+/// How far lines see what is known, by the length of their ribbons on walls.
+struct Agreement {
+  double seen_m = 0.0;     ///< all ribbons
+  double known_m = 0.0;    ///< those on known walls
+  double pierced_m = 0.0;  ///< those seen through known walls
+
+  /// Returns the share of the ribbons on known walls; 1 if there are no ribbons.
+  double known() const { return seen_m > 0.0 ? known_m / seen_m : 1.0; }
+  /// Returns the length that speaks for where the lines are [m].
+  double evidence_m() const { return known_m - pierced_m; }
+  /// Returns the share of the ribbons seen through known walls.
+  double pierced() const { return seen_m > 0.0 ? pierced_m / seen_m : 0.0; }
+};
+
+/// Returns true if lines are on known ground at a right pose.
+inline bool is_known_ground(const Agreement& agreement, const RelocaliserConfig& config) {
+  return agreement.known() >= config.known_share && agreement.pierced() < config.pierced_share;
+}
+
+/// Returns a transform in the plane of the floor as one in space.
+Pose in_space(const PlanarPose& planar);
+
+/// Returns how far lines see what is known if they are moved by `T_start_start`.
+Agreement agreement_of(const PosedLines& lines, const LineRange& range, const Pose& T_start_start,
+                       const KnownScene& scene, const AssociationGates& gates);
+
+/// A move of lines in the plane that puts them on known walls.
+struct PlaceMove {
+  Pose T_start_start;   ///< takes the lines from where they are
+  PlanarPose at_robot;  ///< the same move as seen from the newest line: how far it goes
+  Agreement agreement;  ///< of the moved lines
+};
+
+/// Returns the moves within a window that put most ribbons of some lines on known walls, the best
+/// first: one, or two if another one puts nearly as much there, or none.
+std::vector<PlaceMove> find_moves(const PosedLines& lines, const LineRange& range,
+                                  const KnownScene& scene, const EstimateConfig& config);
+
+}  // namespace ribbon_mapper::slam

@@ -1,0 +1,38 @@
+// SPDX-FileCopyrightText: 2026 ribbon_mapper authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+namespace ribbon_mapper::slam {
+
+/// Settings for noticing a robot that is lost, and for finding it.
+///
+/// Shares are those of the length of ribbons on walls. In ten simulated worlds, 0.95 to 1 of what
+/// was in view for six seconds was known on known ground, and at most 0.02 was seen through it.
+/// After a slip of 20 degrees these were 0 and 0.2.
+struct RelocaliserConfig {
+  /// Time of the newest lines that are looked for [s]: two steps of the window. The second window
+  /// after a slip then holds no line from before it, and two sweeps of the laser.
+  double query_s = 6.0;
+
+  double known_share = 0.9;     ///< ground is known if so much of it is, and
+  double pierced_share = 0.05;  ///< no more than this is seen through known walls
+
+  /// Largest distance of a move [m]: the PR2 drives 1 m/s, and is pushed for 1.5 s. Rooms that look
+  /// alike are farther apart.
+  double radius_m = 1.5;
+  /// Largest angle of a move [deg]: a slip of 20 degrees, and what is left of older errors.
+  double angle_deg = 25.0;
+  /// The same for drift: standard deviations of the odometry since the place was seen. Three, as in
+  /// other gates.
+  double drift_sigmas = 3.0;
+
+  double least_score = 0.3;   ///< of a move: share of the points on known walls, in the plan
+  double second_share = 0.9;  ///< a move is not clear if another one scores so much of it
+  double least_known = 0.3;   ///< share that a move must make known,
+  double least_gain = 0.2;    ///< and by how much more than is known without it
+
+  /// Time in which a move may turn out wrong [s]: by then the robot has seen a room.
+  double probation_s = 60.0;
+};
+
+}  // namespace ribbon_mapper::slam

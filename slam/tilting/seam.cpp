@@ -1,0 +1,86 @@
+// SPDX-FileCopyrightText: 2026 ribbon_mapper authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "slam/tilting/seam.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "modeler/registration/odometry_noise.hpp"
+
+namespace ribbon_mapper::slam {
+namespace {
+
+/// Returns, for each line, the length of its ribbons that fit if moved, less what does not fit [m].
+std::vector<double> gains(const PosedLines& lines, const LineRange& range,
+                          const Pose& T_start_start, const KnownScene& scene,
+                          const AssociationGates& gates) {
+  std::vector<double> gains;
+  for (std::uint32_t i = range.first; i < range.end; ++i) {
+    const Agreement line = agreement_of(lines, {i, i + 1}, T_start_start, scene, gates);
+    gains.push_back(2.0 * line.known_m - line.seen_m);
+  }
+  return gains;
+}
+
+/// Returns how many of the first numbers have the largest sum.
+template <typename Iterator>
+std::uint32_t length_of_best_start(Iterator first, Iterator last) {
+  double sum = 0.0, most = 0.0;
+  std::uint32_t length = 0, best = 0;
+  for (; first != last; ++first) {
+    sum += *first, ++length;
+    if (sum > most) most = sum, best = length;
+  }
+  return best;
+}
+
+/// Returns a pose of which a part of a move was made.
+Pose moved_in_part(const Pose& T_start_base, const Pose& T_start_start, double part) {
+  const double yaw = std::atan2(T_start_start.linear()(1, 0), T_start_start.linear()(0, 0));
+  Pose moved = T_start_base;
+  moved.linear() = Eigen::AngleAxisd(part * yaw, Eigen::Vector3d::UnitZ()) * T_start_base.linear();
+  moved.translation() +=
+      part * (T_start_start * T_start_base.translation() - T_start_base.translation());
+  return moved;
+}
+
+}  // namespace
+
+Seam seam_of(const PosedLines& lines, const LineRange& range, const Pose& T_start_start,
+             const KnownScene& scene, const AssociationGates& gates) {
+  const std::vector<double> here = gains(lines, range, Pose::Identity(), scene, gates),
+                            moved = gains(lines, range, T_start_start, scene, gates);
+  const std::uint32_t stay = length_of_best_start(here.begin(), here.end());
+  const std::uint32_t move = length_of_best_start(moved.rbegin(), moved.rend());
+  const auto count = static_cast<std::uint32_t>(here.size());
+  if (stay + move <= count) return {range.first + stay, range.end - move};
+  // Some fit both ways: the line that parts them best.
+  std::vector<double> preference;
+  for (std::size_t i = 0; i < here.size(); ++i) preference.push_back(here[i] - moved[i]);
+  const std::uint32_t split = length_of_best_start(preference.begin(), preference.end());
+  return {range.first + split, range.first + split};
+}
+
+std::uint32_t end_of_fitting(const PosedLines& lines, const LineRange& range,
+                             const KnownScene& scene, const AssociationGates& gates) {
+  const std::vector<double> here = gains(lines, range, Pose::Identity(), scene, gates);
+  return range.first + length_of_best_start(here.begin(), here.end());
+}
+
+void move_behind(const Seam& seam, const Pose& T_start_start, PosedLines& lines) {
+  const double steps = seam.end + 1.0 - seam.first;
+  for (std::uint32_t i = seam.first; i < lines.size(); ++i) {
+    const double part = std::min(1.0, (i + 1.0 - seam.first) / steps);
+    lines.set_pose(i, moved_in_part(lines.T_start_base(i), T_start_start, part));
+  }
+}
+
+double scale_of(const Seam& seam, const Pose& T_start_start, const PosedLines& lines) {
+  TrajectorySegment span;
+  for (std::uint32_t i = seam.first; i <= seam.end; ++i) span.steps.push_back(lines.step(i));
+  span.T_frame_start = lines.T_start_base(seam.first - 1);
+  span.T_frame_end = T_start_start * lines.T_start_base(seam.end);
+  return fitted_noise({span}).planar_scale;
+}
+
+}  // namespace ribbon_mapper::slam

@@ -1,0 +1,32 @@
+// SPDX-FileCopyrightText: 2026 ribbon_mapper authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "slam/tilting/place_search.hpp"
+
+namespace ribbon_mapper::slam {
+
+/// Where a history is torn: lines before it fit where they are, lines behind it fit if moved.
+struct Seam {
+  std::uint32_t first = 1;  ///< the first line that does not fit where it is
+  std::uint32_t end = 1;    ///< the first line that fits if moved; at least `first`
+};
+
+/// Returns the seam of lines that fit known walls first where they are, then if moved by
+/// `T_start_start`.
+Seam seam_of(const PosedLines& lines, const LineRange& range, const Pose& T_start_start,
+             const KnownScene& scene, const AssociationGates& gates);
+
+/// Returns one behind the last line of a range that fits known walls where it is, if all before it
+/// are to fit as well.
+std::uint32_t end_of_fitting(const PosedLines& lines, const LineRange& range,
+                             const KnownScene& scene, const AssociationGates& gates);
+
+/// Moves the lines behind a seam, and those in it by a part that grows from line to line.
+void move_behind(const Seam& seam, const Pose& T_start_start, PosedLines& lines);
+
+/// Returns the scale of the odometry's noise that would explain a move, see
+/// OdometryNoise::planar_scale.
+double scale_of(const Seam& seam, const Pose& T_start_start, const PosedLines& lines);
+
+}  // namespace ribbon_mapper::slam
