@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <cmath>
 #include <cstdint>
 #include <vector>
 
@@ -11,6 +12,9 @@
 #include "slam/tilting/posed_lines.hpp"
 
 namespace ribbon_mapper::slam {
+
+/// Returns true if a direction is that of a wall's normal: within 17 degrees of level.
+inline bool is_of_wall(const Eigen::Vector3d& normal) { return std::abs(normal.z()) < 0.3; }
 
 /// Returns the planes of some lines at their poses: their ribbons are associated in their order.
 /// Planes of fewer than RegistrationConfig::min_ribbons ribbons are left out.

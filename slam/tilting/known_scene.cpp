@@ -13,7 +13,6 @@ namespace {
 
 constexpr double kVoxel_m = 0.15;  // finer than a door is wide
 constexpr float kSpacing_m = 0.1F;
-constexpr double kMaxLevelNormal = 0.3;  // sine of the inclination of a wall's normal
 // A ray is blocked by walls that were seen here and to both sides, and this far before its end.
 constexpr std::uint32_t kMinPoints = 2;
 constexpr double kClearance_m = 0.5;
@@ -24,8 +23,6 @@ LevelPoint level_point(const Eigen::Vector3d& point, const Eigen::Vector3d& norm
 }
 
 }  // namespace
-
-bool is_of_wall(const Eigen::Vector3d& normal) { return std::abs(normal.z()) < kMaxLevelNormal; }
 
 std::vector<Eigen::Vector3d> points_along(const PosedRibbon& ribbon) {
   std::vector<Eigen::Vector3d> points;

@@ -14,9 +14,6 @@
 
 namespace ribbon_mapper::slam {
 
-/// Returns true if a direction is that of a wall's normal: nearly level.
-bool is_of_wall(const Eigen::Vector3d& normal);
-
 /// Returns some of the points that a ribbon was made of, at least a decimetre apart.
 std::vector<Eigen::Vector3d> points_along(const PosedRibbon& ribbon);
 

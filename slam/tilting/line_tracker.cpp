@@ -20,6 +20,7 @@ void LineTracker::restart(KnownPlanes planes, const PoseBelief& belief) {
   known_ = std::move(planes);
   belief_ = belief;
   new_planes_ = PlaneMap(settings_.shared.bridged_gap_m, settings_.estimate.gates.back());
+  seen_m_ = known_m_ = 0.0;
 }
 
 void LineTracker::list_candidates(const PosedLines& lines, std::uint32_t line) {
@@ -56,6 +57,9 @@ void LineTracker::add_ribbons(const PosedLines& lines, std::uint32_t line) {
   for (std::size_t i = 0; i < observations_.size(); ++i) {
     const auto index = static_cast<std::uint32_t>(lines.first_ribbon(line) + i);
     const PosedRibbon ribbon(lines.ribbon(index), belief_.T_model_base);
+    const double wall_m = is_of_wall(ribbon.normal) ? ribbon.ribbon->length_m : 0.0;
+    seen_m_ += wall_m;
+    if (known_of[i] != kNew) known_m_ += wall_m;
     if (known_of[i] == kNew)
       new_planes_.add(ribbon, index);
     else

@@ -23,6 +23,10 @@ class LineTracker {
   /// Replaces the known planes, and the belief of the last line's pose.
   void restart(KnownPlanes planes, const PoseBelief& belief);
 
+  /// Returns the share of the walls seen since the last restart that were known then, by the length
+  /// of their ribbons; 1 if no wall was seen.
+  double known_share() const { return seen_m_ > 0.0 ? known_m_ / seen_m_ : 1.0; }
+
   /// Returns the belief of the last line's pose.
   const PoseBelief& belief() const { return belief_; }
 
@@ -34,6 +38,7 @@ class LineTracker {
   PoseBelief belief_;
   std::optional<KnownPlanes> known_;
   PlaneMap new_planes_;
+  double seen_m_ = 0.0, known_m_ = 0.0;  // length of ribbons on walls since the last restart
   // Of the line.
   std::vector<PlaneObservation> observations_;
   std::vector<PlaneLandmark> landmarks_;

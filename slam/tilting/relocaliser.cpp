@@ -15,6 +15,7 @@ namespace ribbon_mapper::slam {
 namespace {
 
 constexpr double kShortSeam_s = 3.0;  // longer than a slip or a push
+constexpr double kSameScene_m = 2.0;  // a quarter of the context's radius
 
 int percent(double share) { return static_cast<int>(std::lround(100.0 * share)); }
 
@@ -104,17 +105,13 @@ void Relocaliser::decide(Decision::Kind kind, const PosedLines& lines, const std
   decisions_.push_back({kind, lines.stamp(lines.size() - 1), reason});
 }
 
-bool Relocaliser::look(PosedLines& lines, const OdometryNoise& noise) {
+bool Relocaliser::look(PosedLines& lines, double tracked_share, const OdometryNoise& noise) {
   const EstimateConfig& config = settings_.estimate;
   const LineRange query{first_within(lines, config.relocaliser.query_s), lines.size()};
   if (query.first < 2) return false;
   find_.reset();
   doubt_.clear();
-  const KnownScene recent(lines, context_of(lines, query, query.first, config), settings_);
-  open_break(query, agreement_of(lines, query, Pose::Identity(), recent, config.gates.front()));
-  if (!breaks_.empty() && breaks_.back().line < query.first) {
-    consider(lines, query, query.first, recent);
-  }
+  look_at_recent(lines, query, tracked_share);
   for (std::size_t i = breaks_.size(); i-- > 0;) {
     if (!search_before(breaks_[i], lines, query)) continue;
     breaks_.resize(i);  // later ones lie on ground that is right as well
@@ -128,6 +125,25 @@ bool Relocaliser::look(PosedLines& lines, const OdometryNoise& noise) {
   return false;
 }
 
+/// Compares the newest lines with all older ones if they show unknown walls. Opens a break there.
+void Relocaliser::look_at_recent(const PosedLines& lines, const LineRange& query,
+                                 double tracked_share) {
+  const EstimateConfig& config = settings_.estimate;
+  const Time now = lines.stamp(lines.size() - 1);
+  if (tracked_share < config.relocaliser.known_share) {
+    doubted_until_ = now + from_seconds(config.relocaliser.query_s);
+  }
+  if (now >= doubted_until_) {
+    if (!breaks_.empty()) breaks_.back().is_settled = true;
+    return;
+  }
+  const KnownScene recent(lines, context_of(lines, query, query.first, config), settings_);
+  open_break(query, agreement_of(lines, query, Pose::Identity(), recent, config.gates.front()));
+  if (!breaks_.empty() && breaks_.back().line < query.first) {
+    consider(lines, query, query.first, recent);
+  }
+}
+
 /// Opens a break where known ground ends, by what older lines know of the newest ones.
 void Relocaliser::open_break(const LineRange& query, const Agreement& now) {
   constexpr std::size_t kMostBreaks = 3;
@@ -135,7 +151,22 @@ void Relocaliser::open_break(const LineRange& query, const Agreement& now) {
   if (is_known && !breaks_.empty()) breaks_.back().is_settled = true;
   if (is_known || (!breaks_.empty() && !breaks_.back().is_settled)) return;
   if (breaks_.size() == kMostBreaks) breaks_.erase(breaks_.begin());
-  breaks_.push_back({query.first});
+  breaks_.emplace_back().line = query.first;
+}
+
+/// Returns what was known before a break near the newest line.
+const KnownScene& Relocaliser::scene_before(Break& torn, const PosedLines& lines) const {
+  const EstimateConfig& config = settings_.estimate;
+  const std::uint32_t last = lines.size() - 1;
+  const Eigen::Vector3d here = lines.T_start_base(last).translation();
+  // Poses do not change any more when they have left the window.
+  const bool is_final = lines.seconds_between(torn.line, last) > 2.0 * config.window_s;
+  if (!is_final || !torn.scene || (here - torn.centre).norm() > kSameScene_m) {
+    torn.scene.emplace(lines, context_of(lines, {last, lines.size()}, torn.line, config),
+                       settings_);
+    torn.centre = here;
+  }
+  return *torn.scene;
 }
 
 /// Searches for lines behind a break on what was known before it. Returns true if the break is to
@@ -145,7 +176,7 @@ bool Relocaliser::search_before(Break& torn, const PosedLines& lines, const Line
   const AssociationGates gates = config.gates.front();
   const RelocaliserConfig& limits = config.relocaliser;
   const LineRange newest{std::max(query.first, torn.line), query.end};
-  const KnownScene scene(lines, context_of(lines, newest, torn.line, config), settings_);
+  const KnownScene& scene = scene_before(torn, lines);
   const Agreement now = agreement_of(lines, newest, Pose::Identity(), scene, gates);
   if (is_known_ground(now, limits)) return true;
   if (now.known() < 0.1) torn.is_left = true;
@@ -214,9 +245,12 @@ std::vector<Relocaliser::Candidate> Relocaliser::candidates(const PosedLines& li
   if (!find_) return candidates;
   const Pose& T = find_->T_start_start;
   const Seam& seam = find_->seam;
-  candidates.push_back({T, seam, true, Decision::Kind::found});
-  if (lines.seconds_between(seam.first, seam.end) < kShortSeam_s) return candidates;
-  // What was seen in the meantime belongs to what is seen now, or to both.
+  if (lines.seconds_between(seam.first, seam.end) < kShortSeam_s) {
+    candidates.push_back({T, seam, true, Decision::Kind::found});
+    return candidates;
+  }
+  // What was seen in the meantime belongs to what was seen before, to what is seen now, or to both.
+  candidates.push_back({T, {seam.end, seam.end}, true, Decision::Kind::found});
   candidates.push_back({T, {seam.first, seam.first}, true, Decision::Kind::found});
   const Seam way{std::max<std::uint32_t>(1, find_->last_seen), seam.end};
   if (way.first < way.end &&
@@ -234,7 +268,7 @@ bool Relocaliser::choose(PosedLines& lines, const LineRange& range, const Odomet
   if (histories.empty()) return false;
   const std::vector<std::uint32_t> all = context_of(lines, range, lines.size(), settings_.estimate);
   const HistoryCost before = history_cost(lines, all, settings_);
-  double least = before.total;
+  double least = before.total - settings_.registration.min_ribbons;  // one plane less at least
   std::optional<PosedLines> best;
   const Candidate* chosen = nullptr;
   std::string figures;
@@ -250,14 +284,15 @@ bool Relocaliser::choose(PosedLines& lines, const LineRange& range, const Odomet
                  lines.seconds_between(0, candidate.seam.end), before.planes, before.unexplained,
                  before.length_m, before.total, after.planes, after.unexplained, after.length_m,
                  after.total);
-    const double margin =
-        candidate.kind == Decision::Kind::undone ? 2.0 * settings_.registration.min_ribbons : 0.0;
-    if (after.total + margin >= least) continue;
+    if (after.total >= least) continue;
     least = after.total;
     best = std::move(history), chosen = &candidate;
     figures = text_of(before, after);
   }
-  if (chosen == nullptr) return false;
+  if (chosen == nullptr) {
+    if (find_ && doubt_ == find_->evidence) doubt_.clear();  // it explains less in the end
+    return false;
+  }
   lines = std::move(*best);
   decide(chosen->kind, lines, (find_ ? find_->evidence : doubt_) + "; " + figures);
   const Candidate back{chosen->T_start_start.inverse(Eigen::Isometry), chosen->seam, false,

@@ -28,8 +28,9 @@ class Relocaliser {
   /// Starts on known ground.
   explicit Relocaliser(const EstimateSettings& settings) : settings_(settings) {}
 
-  /// Looks at the newest lines, whose poses are adjusted. Returns true if poses were moved.
-  bool look(PosedLines& lines, const OdometryNoise& noise);
+  /// Looks at the newest lines, whose poses are adjusted. `tracked_share` of the walls in view was
+  /// known since the last call, see LineTracker::known_share(). Returns true if poses were moved.
+  bool look(PosedLines& lines, double tracked_share, const OdometryNoise& noise);
 
   /// Follows lines that were thinned since: forgets what it knew of them.
   void forget_lines();
@@ -42,9 +43,11 @@ class Relocaliser {
  private:
   /// Where known ground ended.
   struct Break {
-    std::uint32_t line;       // the first one that may be beyond
-    bool is_settled = false;  // what lies beyond is known by itself
-    bool is_left = false;     // nothing of what was known before is in view
+    std::uint32_t line = 0;           // the first one that may be beyond
+    bool is_settled = false;          // what lies beyond is known by itself
+    bool is_left = false;             // nothing of what was known before is in view
+    std::optional<KnownScene> scene;  // what was known before, near `centre`
+    Eigen::Vector3d centre = Eigen::Vector3d::Zero();
   };
   /// A move that explains clearly more.
   struct Find {
@@ -62,7 +65,9 @@ class Relocaliser {
     bool is_slip;         // the odometry has failed within the seam
     Decision::Kind kind;  // if it is chosen
   };
+  void look_at_recent(const PosedLines& lines, const LineRange& query, double tracked_share);
   void open_break(const LineRange& query, const Agreement& now);
+  const KnownScene& scene_before(Break& torn, const PosedLines& lines) const;
   bool search_before(Break& torn, const PosedLines& lines, const LineRange& query);
   void consider(const PosedLines& lines, const LineRange& range, std::uint32_t torn_from,
                 const KnownScene& scene);
@@ -73,7 +78,7 @@ class Relocaliser {
   EstimateSettings settings_;
   std::vector<Break> breaks_;              // open ones, in their order
   std::optional<Candidate> on_probation_;  // what takes the last move back
-  Time probation_end_{0};
+  Time probation_end_{0}, doubted_until_{0};
   bool is_lost_ = false;
   std::vector<Decision> decisions_;
   // Of a call.

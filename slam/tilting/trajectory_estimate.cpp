@@ -43,7 +43,8 @@ void TrajectoryEstimate::adjust_window() {
   const std::uint32_t first = first_within(lines_, settings_.estimate.window_s);
   AdjustedLines window{first, lines_.size(), context_before(first)};
   adjust_lines(lines_, window, noise_, settings_);
-  if (relocaliser_.look(lines_, noise_)) window.context = context_before(first);
+  if (relocaliser_.look(lines_, tracker_.known_share(), noise_))
+    window.context = context_before(first);
   learn_noise(first);
   restart_tracker(std::move(window.context), first);
 }

@@ -1,0 +1,126 @@
+// SPDX-FileCopyrightText: 2026 ribbon_mapper authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "slam/tilting/known_scene.hpp"
+
+#include <gtest/gtest.h>
+
+#include <numeric>
+
+#include "slam/tilting/history_cost.hpp"
+#include "slam/tilting/seam.hpp"
+#include "test/modeler/mini_world.hpp"
+
+namespace ribbon_mapper::slam {
+namespace {
+
+const AssociationGates kGates{3.2, 0.12};
+
+/// A room that is seen for eight seconds from its middle, through whose wall at x = 3 a door of 1 m
+/// leads.
+struct SeenRoom {
+  SeenRoom()
+      : modeler(mini_world::model_of(
+            mini_world::drive(with_door(), mini_world::tilting_in_place(), 0.0, 8.0))),
+        lines(modeler.observations()) {
+    while (lines.has_next()) {
+      lines.add_next();
+      const std::uint32_t line = lines.size() - 1;
+      lines.set_pose(line, lines.T_odom_base(0).inverse(Eigen::Isometry) * lines.T_odom_base(line));
+    }
+    all.resize(lines.size());
+    std::iota(all.begin(), all.end(), 0U);
+  }
+  static mini_world::World with_door() {
+    mini_world::World world = mini_world::room();
+    const auto is_at_3 = [](const mini_world::Face& face) { return face.normal.x() < -0.5; };
+    world.erase(std::remove_if(world.begin(), world.end(), is_at_3), world.end());
+    world.push_back(mini_world::plane({-1, 0, 0}, 3.0, {3.0, -2.5, 0.0}, {3.0, -0.5, 2.5}));
+    world.push_back(mini_world::plane({-1, 0, 0}, 3.0, {3.0, 0.5, 0.0}, {3.0, 2.5, 2.5}));
+    return world;
+  }
+  Modeler modeler;
+  PosedLines lines;
+  std::vector<std::uint32_t> all;
+  EstimateSettings settings = estimate_settings({});
+};
+
+TEST(KnownScene, KnowsWhatItWasMadeOf) {
+  const SeenRoom room;
+  const KnownScene scene(room.lines, room.all, room.settings);
+  const Agreement there =
+      agreement_of(room.lines, {0, room.lines.size()}, Pose::Identity(), scene, kGates);
+  EXPECT_GT(there.seen_m, 10.0);
+  EXPECT_GT(there.known(), 0.95);
+  EXPECT_EQ(there.pierced_m, 0.0);
+}
+
+TEST(KnownScene, DoesNotKnowItElsewhere) {
+  const SeenRoom room;
+  const KnownScene scene(room.lines, room.all, room.settings);
+  const Agreement turned =
+      agreement_of(room.lines, {0, room.lines.size()}, in_space({0.0, 0.0, 0.3}), scene, kGates);
+  EXPECT_LT(turned.known(), 0.05);
+  const Agreement shifted =
+      agreement_of(room.lines, {0, room.lines.size()}, in_space({1.0, 1.0, 0.0}), scene, kGates);
+  EXPECT_LT(shifted.known(), 0.05);
+  EXPECT_GT(shifted.pierced(), 0.1);  // what is moved out of the room is seen through its walls
+}
+
+TEST(KnownScene, BlocksRaysByWallsAndNotByDoors) {
+  const SeenRoom room;
+  const KnownScene scene(room.lines, room.all, room.settings);
+  const Eigen::Vector3d sensor(0.0, 0.0, 1.2);
+  EXPECT_TRUE(scene.stands_between(sensor, {6.0, 3.0, 1.2}));
+  EXPECT_FALSE(scene.stands_between(sensor, {6.0, 0.3, 1.2}));   // through the door
+  EXPECT_FALSE(scene.stands_between(sensor, {2.9, 1.45, 1.2}));  // before the wall
+  EXPECT_FALSE(scene.stands_between({6.0, 3.0, 1.2}, sensor));   // from its unseen side
+}
+
+TEST(PlaceSearch, FindsTheMoveThatWasMade) {
+  SeenRoom room;
+  const std::vector<std::uint32_t> older(room.all.begin(), room.all.begin() + 160);
+  const KnownScene scene(room.lines, older, room.settings);
+  const Pose move = in_space({0.4, -0.7, 0.25});
+  for (std::uint32_t i = 160; i < room.lines.size(); ++i) {
+    room.lines.set_pose(i, move * room.lines.T_start_base(i));
+  }
+  const auto moves =
+      find_moves(room.lines, {160, room.lines.size()}, scene, room.settings.estimate);
+  ASSERT_EQ(moves.size(), 1U);
+  EXPECT_GT(moves.front().agreement.known(), 0.9);
+  const Pose rest = moves.front().T_start_start * move;
+  EXPECT_LT(rest.translation().norm(), 0.02);
+  EXPECT_LT(angle_of(rest), 0.01);
+}
+
+TEST(Seam, LiesWhereLinesAreTorn) {
+  SeenRoom room;
+  const std::vector<std::uint32_t> older(room.all.begin(), room.all.begin() + 120);
+  const KnownScene scene(room.lines, older, room.settings);
+  const Pose move = in_space({0.0, 0.0, 0.3});
+  for (std::uint32_t i = 200; i < room.lines.size(); ++i) {
+    room.lines.set_pose(i, move * room.lines.T_start_base(i));
+  }
+  const Pose back = move.inverse(Eigen::Isometry);
+  const Seam seam = seam_of(room.lines, {120, room.lines.size()}, back, scene, kGates);
+  EXPECT_NEAR(seam.first, 200, 10);
+  EXPECT_NEAR(seam.end, 200, 10);
+  move_behind(seam, back, room.lines);
+  EXPECT_LT(angle_of(room.lines.T_start_base(300)), 1e-3);
+  EXPECT_LT(angle_of(room.lines.T_start_base(100)), 1e-3);
+}
+
+TEST(HistoryCost, IsLessWithoutATear) {
+  SeenRoom room;
+  const HistoryCost whole = history_cost(room.lines, room.all, room.settings);
+  const Pose move = in_space({0.3, 0.2, 0.3});
+  for (std::uint32_t i = 200; i < room.lines.size(); ++i) {
+    room.lines.set_pose(i, move * room.lines.T_start_base(i));
+  }
+  const HistoryCost torn = history_cost(room.lines, room.all, room.settings);
+  EXPECT_GT(torn.planes, whole.planes);
+  EXPECT_GT(torn.total, whole.total);
+}
+
+}  // namespace
+}  // namespace ribbon_mapper::slam
