@@ -109,7 +109,10 @@ Results run_experiment(const sim::World& world, const sim::Route& route,
   results.trajectory_truth = true_poses(tour, modeler.trajectory());
 
   const std::vector<StampedPose> corrected = self ? self->finish(tour) : results.trajectory_truth;
-  if (self) results.summary.estimate = self->summary(corrected, results.trajectory_truth);
+  if (self) {
+    results.summary.estimate = self->summary(corrected, results.trajectory_truth);
+    results.covariances_after = self->covariances();
+  }
   results.summary.correction_ms = 1e3 * wall_seconds_of([&] { modeler.correct(corrected); });
   results.models.corrected_as_built = modeler.planes_as_built();
   results.models.corrected = modeler.planes();

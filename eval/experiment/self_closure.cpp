@@ -22,13 +22,23 @@ std::vector<StampedPose> SelfClosure::finish(const sim::Tour& tour) {
       tour.true_T_map_base(Time(0)) * tour.T_odom_base(Time(0)).inverse(Eigen::Isometry);
   std::vector<StampedPose> poses = estimate_.trajectory();
   for (StampedPose& pose : poses) pose.T_map_base = T_map_odom * pose.T_map_base;
+  covariances_s_ = cpu_seconds_of([&] { covariances_ = estimate_.covariances(); });
+  for (Matrix6& covariance : covariances_) {
+    covariance = in_other_axes(covariance, T_map_odom.linear());
+  }
   return poses;
 }
 
 EstimateSummary SelfClosure::summary(const std::vector<StampedPose>& estimate,
                                      const std::vector<StampedPose>& truth) const {
-  return {trajectory_error(estimate, truth), estimate_.noise_scale(), updates_s_, longest_update_s_,
-          finish_s_};
+  return {trajectory_error(estimate, truth),
+          precision_of(covariances_),
+          planar_nees(estimate, covariances_, truth),
+          estimate_.noise_scale(),
+          updates_s_,
+          longest_update_s_,
+          finish_s_,
+          covariances_s_};
 }
 
 }  // namespace ribbon_mapper::eval

@@ -22,8 +22,11 @@ class SelfClosure {
   /// Takes the lines that the modeler has gained.
   void update();
 
-  /// Ends the estimate. Returns it in map.
+  /// Ends the estimate, and computes its covariances. Returns it in map.
   std::vector<StampedPose> finish(const sim::Tour& tour);
+
+  /// Returns the covariances of what finish() returned, along the axes of map.
+  const std::vector<Matrix6>& covariances() const { return covariances_; }
 
   /// Returns the figures of an estimate that is finished. `estimate` is what finish() returned.
   EstimateSummary summary(const std::vector<StampedPose>& estimate,
@@ -31,7 +34,8 @@ class SelfClosure {
 
  private:
   slam::TrajectoryEstimate estimate_;
-  double updates_s_ = 0.0, longest_update_s_ = 0.0, finish_s_ = 0.0;
+  std::vector<Matrix6> covariances_;
+  double updates_s_ = 0.0, longest_update_s_ = 0.0, finish_s_ = 0.0, covariances_s_ = 0.0;
 };
 
 }  // namespace ribbon_mapper::eval

@@ -84,6 +84,10 @@ FileSet staged_results(const Results& results, const std::filesystem::path& dire
   files.add("planes_truth.json", planes_to_json(truth, label));
   files.add("trajectory_before.tum", to_tum(results.trajectory_before, label.run));
   files.add("trajectory_after.tum", to_tum(results.trajectory_after, label.run));
+  if (!results.covariances_after.empty()) {
+    files.add(kCovarianceFile,
+              to_covariance_csv(results.trajectory_after, results.covariances_after, label.run));
+  }
   files.add("trajectory_truth.tum", to_tum(results.trajectory_truth, label.run));
   files.add("figure.json", figure_data(results, label.run));
   add_model(results.models.corrected, label, "planes_after", SurfaceConfig{}.stripe_gap_m, files);

@@ -26,6 +26,8 @@ struct Results {
   std::vector<StampedPose> trajectory_before;
   /// Acquisition poses of the lines after the correction.
   std::vector<StampedPose> trajectory_after;
+  /// Their covariances, see to_covariance_csv(); none if the truth has corrected them.
+  std::vector<Matrix6> covariances_after;
   /// True acquisition poses of the lines.
   std::vector<StampedPose> trajectory_truth;
   /// Polylines of the world in a top view [m], for the figure.
@@ -39,8 +41,9 @@ void evaluate(Results& results);
 /// needed, and returns the set to be committed. All files state the same run. They are
 /// summary.json, planes_before.json (noisy, as built), planes_noisy.json (noisy, final),
 /// planes_truth.json, planes_after.{json,ply,bt} with planes_after_cells.ply (corrected, final),
-/// trajectory_{before,after,truth}.tum and figure.json (for draw_figure()). Throws
-/// std::runtime_error with the file, the reason and a remedy.
+/// trajectory_{before,after,truth}.tum, trajectory_covariance.csv (if there are covariances) and
+/// figure.json (for draw_figure()). Throws std::runtime_error with the file, the reason and a
+/// remedy.
 FileSet staged_results(const Results& results, const std::filesystem::path& directory);
 
 /// Writes the results as staged_results() and commits them.

@@ -139,6 +139,7 @@ Json times_of(const Summary& s) {
     json["estimate_updates_s"] = s.estimate->updates_s;
     json["estimate_longest_update_s"] = s.estimate->longest_update_s;
     json["estimate_finish_s"] = s.estimate->finish_s;
+    json["estimate_covariances_s"] = s.estimate->covariances_s;
   }
   return json;
 }
@@ -148,6 +149,11 @@ Json to_json(const EstimateSummary& estimate) {
           {"largest_m", estimate.error.largest_m},
           {"rmse_deg", estimate.error.rmse_deg},
           {"aligned_rmse_m", estimate.error.aligned_rmse_m},
+          {"position_sigma_m_median", estimate.precision.position_m_median},
+          {"position_sigma_m_largest", estimate.precision.position_m_largest},
+          {"heading_sigma_deg_median", estimate.precision.heading_deg_median},
+          {"heading_sigma_deg_largest", estimate.precision.heading_deg_largest},
+          {"nees", estimate.nees},
           {"noise_scale", estimate.noise_scale}};
 }
 
@@ -155,10 +161,13 @@ std::string estimate_text(const EstimateSummary& estimate) {
   const TrajectoryError& e = estimate.error;
   return format(
       "trajectory estimated without truth: position %.1f cm RMS (largest %.1f; aligned %.1f), "
-      "heading %.2f deg; odometry %.1f x gmapping's noise; %.1f s for all lines (longest %.0f ms), "
+      "heading %.2f deg; known to %.1f cm and %.2f deg (median; NEES %.2f); odometry %.1f x "
+      "gmapping's noise; %.1f s for all lines (longest %.0f ms), "
       "%.1f s at the end\n",
       100.0 * e.rmse_m, 100.0 * e.largest_m, 100.0 * e.aligned_rmse_m, e.rmse_deg,
-      estimate.noise_scale, estimate.updates_s, 1e3 * estimate.longest_update_s, estimate.finish_s);
+      100.0 * estimate.precision.position_m_median, estimate.precision.heading_deg_median,
+      estimate.nees, estimate.noise_scale, estimate.updates_s, 1e3 * estimate.longest_update_s,
+      estimate.finish_s);
 }
 
 /// Returns the figures without the times.

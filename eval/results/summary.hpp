@@ -11,6 +11,7 @@
 #include "eval/metrics/point_metrics.hpp"
 #include "eval/results/four_models.hpp"
 #include "eval/results/trajectory_error.hpp"
+#include "modeler/chain/pose_precision.hpp"
 
 namespace ribbon_mapper::eval {
 
@@ -20,10 +21,13 @@ using FourMetrics = PerModel<MapMetrics>;
 /// Errors and times of an estimate of the trajectory without ground truth.
 struct EstimateSummary {
   TrajectoryError error;          ///< of the final trajectory
+  PosePrecision precision;        ///< as its covariances state it
+  double nees = 0.0;              ///< of the final trajectory, see planar_nees()
   double noise_scale = 1.0;       ///< learnt for the odometry, as a multiple of gmapping's
   double updates_s = 0.0;         ///< computing time of all lines
   double longest_update_s = 0.0;  ///< computing time of the line that took longest
   double finish_s = 0.0;          ///< computing time of the final adjustment
+  double covariances_s = 0.0;     ///< computing time of the covariances
 };
 
 /// Metrics and times of one run, whether in one process or over ROS.

@@ -4,6 +4,7 @@
 
 #include <vector>
 
+#include "modeler/chain/matrix6.hpp"
 #include "modeler/geometry/pose.hpp"
 
 namespace ribbon_mapper::eval {
@@ -22,5 +23,13 @@ struct TrajectoryError {
 /// Throws std::invalid_argument if they are empty or of different lengths.
 TrajectoryError trajectory_error(const std::vector<StampedPose>& estimate,
                                  const std::vector<StampedPose>& truth);
+
+/// Returns the normalised estimation error squared (NEES; Bar-Shalom et al., 'Estimation with
+/// Applications to Tracking and Navigation', 2001) of x, y and heading, for each of them: the mean
+/// over all poses but the first, which is taken as exact. One is honest: below, covariances are too
+/// large, above, too small. Covariances are of errors as those of PoseBelief, along the axes of the
+/// trajectories' frame. Throws std::invalid_argument if lengths differ or there is one pose.
+double planar_nees(std::vector<StampedPose> estimate, const std::vector<Matrix6>& covariances,
+                   const std::vector<StampedPose>& truth);
 
 }  // namespace ribbon_mapper::eval

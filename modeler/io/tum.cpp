@@ -30,12 +30,24 @@ void append(std::string& line, double value, int decimals) {
   line.append(digits.begin(), end);
 }
 
-std::string to_line(const StampedPose& pose) {
-  const auto since_epoch = pose.stamp.count();
+/// Appends a number with seven significant digits, whatever the locale.
+void append_scientific(std::string& line, double value) {
+  std::array<char, 32> digits;
+  const auto end =
+      std::to_chars(digits.begin(), digits.end(), value, std::chars_format::scientific, 6).ptr;
+  line.append(digits.begin(), end);
+}
+
+/// Returns a time in seconds, exact to the nanosecond.
+std::string seconds_text(Time time) {
+  const auto since_epoch = time.count();
   const std::string nanoseconds = std::to_string(std::abs(since_epoch % 1'000'000'000));
-  std::string line = since_epoch < 0 ? "-" : "";
-  line += std::to_string(std::abs(since_epoch / 1'000'000'000)) + "." +
-          std::string(9 - nanoseconds.size(), '0') + nanoseconds;
+  return (since_epoch < 0 ? "-" : "") + std::to_string(std::abs(since_epoch / 1'000'000'000)) +
+         "." + std::string(9 - nanoseconds.size(), '0') + nanoseconds;
+}
+
+std::string to_line(const StampedPose& pose) {
+  std::string line = seconds_text(pose.stamp);
   Eigen::Quaterniond q(pose.T_map_base.linear());
   if (q.w() < 0.0) q.coeffs() = -q.coeffs();
   for (const double value : pose.T_map_base.translation()) append(line += " ", value, 9);
@@ -76,6 +88,28 @@ std::string to_tum(const std::vector<StampedPose>& trajectory, const std::string
   text += "# stamp tx ty tz qx qy qz qw\n";
   for (const StampedPose& pose : trajectory) text += to_line(pose);
   return text;
+}
+
+std::string to_covariance_csv(const std::vector<StampedPose>& trajectory,
+                              const std::vector<Matrix6>& covariances, const std::string& run) {
+  if (trajectory.size() != covariances.size()) {
+    throw std::invalid_argument("covariances: there must be one for each pose");
+  }
+  constexpr std::array<const char*, 6> kNames{"x", "y", "z", "roll", "pitch", "yaw"};
+  std::string text = (run.empty() ? "" : "# run " + run + "\n") + "stamp";
+  const auto for_each_column = [](const auto& visit) {
+    for (int row = 0; row < 6; ++row) {
+      for (int column = row; column < 6; ++column) visit(row, column);
+    }
+  };
+  for_each_column(
+      [&](int row, int column) { text += std::string(",") + kNames[row] + "_" + kNames[column]; });
+  for (std::size_t i = 0; i < trajectory.size(); ++i) {
+    text += "\n" + seconds_text(trajectory[i].stamp);
+    for_each_column(
+        [&](int row, int column) { append_scientific(text += ",", covariances[i](row, column)); });
+  }
+  return text + "\n";
 }
 
 std::vector<StampedPose> from_tum(const std::string& text, const std::string& name) {

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "modeler/chain/matrix6.hpp"
 #include "modeler/geometry/pose.hpp"
 
 namespace ribbon_mapper {
@@ -14,6 +15,17 @@ namespace ribbon_mapper {
 /// is "stamp tx ty tz qx qy qz qw" (seconds, metres, unit quaternion); stamps are exact to the
 /// nanosecond. A comment states the id of the `run`, if it is not empty.
 std::string to_tum(const std::vector<StampedPose>& trajectory, const std::string& run = "");
+
+/// Name of the file with the covariances of a trajectory, beside it.
+constexpr const char* kCovarianceFile = "trajectory_covariance.csv";
+
+/// Converts the covariances of poses, by pose, to a table with a line each: the stamp, then the
+/// upper triangle row by row. Rows and columns are those of geometry_msgs/PoseWithCovariance: x, y,
+/// z [m], then rotations about the fixed axes x, y, z of map [rad]. The first line is a comment
+/// with the id of the `run`, if it is not empty, the next one names the columns. Throws
+/// std::invalid_argument if there is not one covariance for each pose.
+std::string to_covariance_csv(const std::vector<StampedPose>& trajectory,
+                              const std::vector<Matrix6>& covariances, const std::string& run = "");
 
 /// Parses text in TUM format; empty lines and lines that start with '#' are skipped. Throws
 /// std::runtime_error with `name` and the line if a number is missing, superfluous or not finite,

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "modeler/registration/plane_adjustment.hpp"
 
-#include "modeler/registration/chain_system.hpp"
+#include "modeler/chain/chain_system.hpp"
 
 namespace ribbon_mapper {
 namespace {
@@ -119,6 +119,13 @@ void adjust(const std::vector<ObservingLine>& known_lines, std::vector<Observing
   for (std::size_t i = 0; i < landmarks.size(); ++i) {
     landmarks[i] = moved(landmarks[i], errors.landmarks[i]);
   }
+}
+
+std::vector<Matrix6> pose_covariances(const std::vector<ObservingLine>& known_lines,
+                                      const std::vector<ObservingSegment>& segments,
+                                      const std::vector<PlaneLandmark>& landmarks,
+                                      double robust_sigmas) {
+  return equations_of(known_lines, segments, {landmarks, robust_sigmas}).pose_covariances();
 }
 
 }  // namespace ribbon_mapper

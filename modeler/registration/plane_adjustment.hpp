@@ -39,4 +39,11 @@ struct ObservingSegment {
 void adjust(const std::vector<ObservingLine>& known_lines, std::vector<ObservingSegment>& segments,
             std::vector<PlaneLandmark>& landmarks, double robust_sigmas);
 
+/// Returns the covariances of the poses' errors where they are, by segment and line: what adjust()
+/// would leave of them. No step is taken. They are those of the weighted least squares.
+std::vector<Matrix6> pose_covariances(const std::vector<ObservingLine>& known_lines,
+                                      const std::vector<ObservingSegment>& segments,
+                                      const std::vector<PlaneLandmark>& landmarks,
+                                      double robust_sigmas);
+
 }  // namespace ribbon_mapper

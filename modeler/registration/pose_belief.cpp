@@ -53,6 +53,12 @@ Matrix6 in_model_axes(const Vector6& on_axes_of_base, const Eigen::Matrix3d& rot
   return result;
 }
 
+Matrix6 in_other_axes(const Matrix6& covariance, const Eigen::Matrix3d& rotation) {
+  Matrix6 both = Matrix6::Zero();
+  both.topLeftCorner<3, 3>() = both.bottomRightCorner<3, 3>() = rotation;
+  return symmetric(both * covariance * both.transpose());
+}
+
 PoseBelief after_step(const PoseBelief& from, const Pose& step, const Vector6& variances) {
   const Eigen::Matrix3d rotation = from.T_model_base.linear();
   const Matrix6 transported = transport(rotation * step.translation());

@@ -4,14 +4,10 @@
 
 #include <Eigen/Core>
 
+#include "modeler/chain/matrix6.hpp"
 #include "modeler/geometry/pose.hpp"
 
 namespace ribbon_mapper {
-
-/// An error of a pose, or its variances: translation [m], then rotation vector [rad].
-using Vector6 = Eigen::Matrix<double, 6, 1>;
-/// A covariance, an information matrix or a Jacobian in the order of Vector6.
-using Matrix6 = Eigen::Matrix<double, 6, 6>;
 
 /// A Gaussian belief of a base's pose in the model frame. Its error moves the base's origin and
 /// rotates the base about that origin, both along the axes of the model frame.
@@ -41,6 +37,10 @@ Matrix6 transport(const Eigen::Vector3d& lever);
 /// Returns diagonal blocks, given along the axes of a base, along those of the model frame.
 /// `rotation` takes vectors of the base to the model frame.
 Matrix6 in_model_axes(const Vector6& on_axes_of_base, const Eigen::Matrix3d& rotation);
+
+/// Returns a covariance, given along the axes of one frame, along those of another. `rotation`
+/// takes vectors of the first to the second.
+Matrix6 in_other_axes(const Matrix6& covariance, const Eigen::Matrix3d& rotation);
 
 /// Returns the belief after an odometry step. `variances` of the step's error are along the axes of
 /// the base before the step.

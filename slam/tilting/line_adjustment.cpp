@@ -32,9 +32,10 @@ Vector6 slip_variances() {
 
 class Adjustment {
  public:
-  Adjustment(PosedLines& lines, const AdjustedLines& which, const OdometryNoise& noise,
+  Adjustment(const PosedLines& lines, const AdjustedLines& which, const OdometryNoise& noise,
              const EstimateSettings& settings);
-  void run_round(const AssociationGates& gates);
+  std::vector<ObservingLine> adjusted(const AssociationGates& gates);
+  std::vector<Matrix6> covariances(const AssociationGates& gates);
 
  private:
   /// A ribbon of the context that belongs to no known plane.
@@ -47,10 +48,13 @@ class Adjustment {
   struct Round {
     std::vector<PlaneLandmark> landmarks;
     std::vector<ObservingLine> context;
-    std::vector<ObservingLine> lines;
+    std::vector<ObservingSegment> segments;  // one, of the adjusted lines
+    std::vector<ObservingLine>& lines() { return segments.front().lines; }
+    const std::vector<ObservingLine>& lines() const { return segments.front().lines; }
   };
 
   void list_context(const OdometryNoise& noise, const RangeNoise& ranges);
+  Round matched(const AssociationGates& gates);
   TrajectorySegment segment() const;
   ObservingLine matched_with_known(std::uint32_t line, const AssociationGates& gates);
   PlaneMap map_of_others(const AssociationGates& gates, const Round& round) const;
@@ -58,7 +62,7 @@ class Adjustment {
   const PlaneObservation& observation_of(std::uint32_t ribbon) const;
   std::size_t index_of(std::uint32_t line) const { return line - which_.first; }
 
-  PosedLines& lines_;
+  const PosedLines& lines_;
   const AdjustedLines& which_;
   const EstimateSettings& settings_;
   const OdometryNoise& noise_;
@@ -69,8 +73,8 @@ class Adjustment {
   std::vector<std::vector<PlaneObservation>> of_lines_;    // by adjusted line
 };
 
-Adjustment::Adjustment(PosedLines& lines, const AdjustedLines& which, const OdometryNoise& noise,
-                       const EstimateSettings& settings)
+Adjustment::Adjustment(const PosedLines& lines, const AdjustedLines& which,
+                       const OdometryNoise& noise, const EstimateSettings& settings)
     : lines_(lines),
       which_(which),
       settings_(settings),
@@ -133,7 +137,7 @@ PlaneMap Adjustment::map_of_others(const AssociationGates& gates, const Round& r
     map.add({lines_.ribbon(loose.ribbon), context_[loose.line].T_model_base}, loose.ribbon);
   }
   for (std::uint32_t line = which_.first; line < which_.end; ++line) {
-    const ObservingLine& observing = round.lines[index_of(line)];
+    const ObservingLine& observing = round.lines()[index_of(line)];
     const std::vector<PlaneObservation>& observations = of_lines_[index_of(line)];
     auto match = observing.matches.begin();  // in the order of the observations
     for (std::size_t i = 0; i < observations.size(); ++i) {
@@ -162,7 +166,7 @@ void Adjustment::match_others(const AssociationGates& gates, Round& round) const
     for (const Member& member : plane.members()) {
       const std::uint32_t line = lines_.ribbon(member.ribbon).pose;
       if (line >= which_.first) {
-        round.lines[index_of(line)].matches.push_back({&observation_of(member.ribbon), landmark});
+        round.lines()[index_of(line)].matches.push_back({&observation_of(member.ribbon), landmark});
         continue;
       }
       const auto loose = std::lower_bound(
@@ -173,19 +177,29 @@ void Adjustment::match_others(const AssociationGates& gates, Round& round) const
   }
 }
 
-void Adjustment::run_round(const AssociationGates& gates) {
-  Round round{known_.landmarks().all(), context_, {}};
+/// Matches all ribbons with the planes of the context and with those of the others.
+Adjustment::Round Adjustment::matched(const AssociationGates& gates) {
+  Round round{known_.landmarks().all(), context_, {{segment(), {}}}};
   for (std::uint32_t i = which_.first; i < which_.end; ++i) {
-    round.lines.push_back(matched_with_known(i, gates));
+    round.lines().push_back(matched_with_known(i, gates));
   }
   match_others(gates, round);
-  std::vector<ObservingSegment> segments{{segment(), std::move(round.lines)}};
+  return round;
+}
+
+/// Returns the lines at their poses after a round.
+std::vector<ObservingLine> Adjustment::adjusted(const AssociationGates& gates) {
+  Round round = matched(gates);
   for (int i = 0; i < settings_.estimate.steps_per_round; ++i) {
-    adjust(round.context, segments, round.landmarks, settings_.registration.robust_sigmas);
+    adjust(round.context, round.segments, round.landmarks, settings_.registration.robust_sigmas);
   }
-  for (std::uint32_t i = which_.first; i < which_.end; ++i) {
-    lines_.set_pose(i, segments.front().lines[index_of(i)].T_model_base);
-  }
+  return std::move(round.lines());
+}
+
+std::vector<Matrix6> Adjustment::covariances(const AssociationGates& gates) {
+  const Round round = matched(gates);
+  return pose_covariances(round.context, round.segments, round.landmarks,
+                          settings_.registration.robust_sigmas);
 }
 
 }  // namespace
@@ -194,7 +208,19 @@ void adjust_lines(PosedLines& lines, const AdjustedLines& which, const OdometryN
                   const EstimateSettings& settings) {
   if (which.first >= which.end) return;
   Adjustment adjustment(lines, which, noise, settings);
-  for (const AssociationGates& gates : settings.estimate.gates) adjustment.run_round(gates);
+  for (const AssociationGates& gates : settings.estimate.gates) {
+    std::size_t i = which.first;
+    for (const ObservingLine& line : adjustment.adjusted(gates)) {
+      lines.set_pose(i++, line.T_model_base);
+    }
+  }
+}
+
+std::vector<Matrix6> line_covariances(const PosedLines& lines, const AdjustedLines& which,
+                                      const OdometryNoise& noise,
+                                      const EstimateSettings& settings) {
+  if (which.first >= which.end) return {};
+  return Adjustment(lines, which, noise, settings).covariances(settings.estimate.gates.back());
 }
 
 }  // namespace ribbon_mapper::slam

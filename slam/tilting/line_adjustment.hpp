@@ -23,4 +23,10 @@ struct AdjustedLines {
 void adjust_lines(PosedLines& lines, const AdjustedLines& which, const OdometryNoise& noise,
                   const EstimateSettings& settings);
 
+/// Returns the covariances of the lines' poses where they are, in their order, given the poses of
+/// the context and of the line before: those of the last round of adjust_lines(). No step is taken.
+/// Errors are those of PoseBelief, along the axes of `start`.
+std::vector<Matrix6> line_covariances(const PosedLines& lines, const AdjustedLines& which,
+                                      const OdometryNoise& noise, const EstimateSettings& settings);
+
 }  // namespace ribbon_mapper::slam

@@ -76,4 +76,12 @@ std::vector<StampedPose> TrajectoryEstimate::trajectory() const {
   return poses;
 }
 
+std::vector<Matrix6> TrajectoryEstimate::covariances() const {
+  std::vector<Matrix6> covariances(std::min(lines_.size(), 1U), Matrix6::Zero());
+  for (const Matrix6& c : line_covariances(lines_, {1, lines_.size(), {0}}, noise_, settings_)) {
+    covariances.push_back(in_other_axes(c, T_odom_start_.linear()));
+  }
+  return covariances;
+}
+
 }  // namespace ribbon_mapper::slam

@@ -35,6 +35,11 @@ class TrajectoryEstimate {
   /// Returns the estimated pose of the base for each line, in odom as it was at the first line.
   std::vector<StampedPose> trajectory() const;
 
+  /// Computes the covariances of trajectory(), a pose each, for errors as those of PoseBelief in
+  /// the same frame. That of the first pose is zero: it defines the frame. Takes about the time of
+  /// a third of finish(). docs/slam.md says what they contain.
+  std::vector<Matrix6> covariances() const;
+
   /// Returns the covariance of the newest pose, as tracked, in the frame of the first line's base.
   const Matrix6& covariance() const { return tracker_.belief().covariance; }
 

@@ -20,7 +20,8 @@ _CORE = {
     "association": ["geometry", "ribbon", "observations"],
     "surface": ["geometry", "ribbon", "observations", "association"],
     "assembly": ["geometry", "ribbon", "observations", "association", "surface"],
-    "registration": ["geometry", "ribbon", "trajectory", "observations", "association"],
+    "chain": ["geometry"],
+    "registration": ["geometry", "ribbon", "trajectory", "observations", "association", "chain"],
 }
 _METHOD = [f"modeler/{name}" for name in _CORE]
 _MODELER = _METHOD + ["modeler"]

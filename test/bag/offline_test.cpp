@@ -165,6 +165,20 @@ TEST(Offline, AllFilesOfARunNameIt) {
   }
 }
 
+TEST(Offline, AnEstimateStatesItsCovariances) {
+  const TemporaryDirectory directory;
+  const OfflineRun found = run(kRoom, "pr2.yaml", "self");
+  ASSERT_EQ(found.covariances.size(), found.trajectory.size());
+  write_model(found, directory.path());
+  const std::string table = content_of(directory.path() / kCovarianceFile);
+  const auto rows = static_cast<std::size_t>(std::count(table.begin(), table.end(), '\n'));
+  EXPECT_EQ(rows, found.trajectory.size() + 2);
+  const auto json = nlohmann::json::parse(content_of(directory.path() / "summary.json"));
+  EXPECT_EQ(json.at("estimate").at("position_sigma_m_largest"),
+            precision_of(found.covariances).position_m_largest);
+  EXPECT_GT(json.at("estimate").at("heading_sigma_deg_median"), 0.0);
+}
+
 TEST(Offline, ATrajectoryOfAnotherRunIsRefused) {
   const TemporaryDirectory directory;
   std::vector<StampedPose> other = read_tum(kRoomTruth);

@@ -202,5 +202,19 @@ TEST(SummaryTable, ErrorsWithoutAMatchAreADash) {
   EXPECT_EQ(words[7], "-");
 }
 
+TEST(SummaryJson, StatesHowSureAnEstimateIs) {
+  Summary s = sample();
+  EXPECT_FALSE(json::parse(summary_to_json(s)).contains("estimate"));
+  s.estimate.emplace();
+  s.estimate->precision = {0.01, 0.02, 0.3, 0.4};
+  s.estimate->nees = 0.75;
+  const json estimate = json::parse(summary_to_json(s)).at("estimate");
+  EXPECT_EQ(estimate.at("position_sigma_m_median"), 0.01);
+  EXPECT_EQ(estimate.at("position_sigma_m_largest"), 0.02);
+  EXPECT_EQ(estimate.at("heading_sigma_deg_median"), 0.3);
+  EXPECT_EQ(estimate.at("heading_sigma_deg_largest"), 0.4);
+  EXPECT_EQ(estimate.at("nees"), 0.75);
+}
+
 }  // namespace
 }  // namespace ribbon_mapper::eval

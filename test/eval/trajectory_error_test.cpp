@@ -64,5 +64,34 @@ TEST(TrajectoryError, NeedsPosesOfBoth) {
   EXPECT_THROW(trajectory_error(corner(), {}), std::invalid_argument);
 }
 
+/// One covariance for each pose of corner(), with these variances of x, y and heading.
+std::vector<Matrix6> covariances(double x, double y, double heading) {
+  Matrix6 covariance = Matrix6::Identity();
+  covariance(0, 0) = x, covariance(1, 1) = y, covariance(5, 5) = heading;
+  return std::vector<Matrix6>(corner().size(), covariance);
+}
+
+TEST(Nees, IsOneWhereErrorsAreAsLargeAsStated) {
+  auto estimate = corner();
+  for (std::size_t i = 1; i < estimate.size(); ++i) {
+    estimate[i].T_map_base.translation() += Eigen::Vector3d(0.3, -0.4, 100.0);  // z does not count
+    estimate[i].T_map_base.linear() =
+        planar_pose(0.0, 0.0, 0.1).linear() * estimate[i].T_map_base.linear();
+  }
+  EXPECT_NEAR(planar_nees(estimate, covariances(0.09, 0.16, 0.01), corner()), 1.0, 1e-9);
+  EXPECT_NEAR(planar_nees(estimate, covariances(0.36, 0.64, 0.04), corner()), 0.25, 1e-9);
+}
+
+TEST(Nees, IsMeasuredFromTheFirstPose) {
+  const auto turned = moved_by(planar_pose(3.0, 1.0, 0.5), corner());
+  EXPECT_NEAR(planar_nees(turned, covariances(0.01, 0.01, 0.01), corner()), 0.0, 1e-12);
+}
+
+TEST(Nees, NeedsACovarianceForEachPose) {
+  EXPECT_THROW(planar_nees(corner(), {}, corner()), std::invalid_argument);
+  EXPECT_THROW(planar_nees({corner()[0]}, {Matrix6::Identity()}, {corner()[0]}),
+               std::invalid_argument);
+}
+
 }  // namespace
 }  // namespace ribbon_mapper::eval

@@ -110,5 +110,24 @@ TEST(Tum, FilesThatCannotBeReadAreNamed) {
   EXPECT_THROW(read_tum(directory.path()), std::runtime_error);
 }
 
+TEST(Tum, CovariancesAreATableOfTheirUpperTriangles) {
+  Matrix6 covariance = Matrix6::Zero();
+  for (int row = 0; row < 6; ++row) {
+    for (int column = 0; column < 6; ++column) {
+      covariance(row, column) = std::max(row, column) + 0.1 * std::min(row, column);
+    }
+  }
+  EXPECT_EQ(to_covariance_csv({{Time(1'500'000'000), Pose::Identity()}}, {covariance}, "abc"),
+            "# run abc\n"
+            "stamp,x_x,x_y,x_z,x_roll,x_pitch,x_yaw,y_y,y_z,y_roll,y_pitch,y_yaw,"
+            "z_z,z_roll,z_pitch,z_yaw,roll_roll,roll_pitch,roll_yaw,pitch_pitch,pitch_yaw,yaw_yaw\n"
+            "1.500000000,0.000000e+00,1.000000e+00,2.000000e+00,3.000000e+00,4.000000e+00,"
+            "5.000000e+00,1.100000e+00,2.100000e+00,3.100000e+00,4.100000e+00,5.100000e+00,"
+            "2.200000e+00,3.200000e+00,4.200000e+00,5.200000e+00,3.300000e+00,4.300000e+00,"
+            "5.300000e+00,4.400000e+00,5.400000e+00,5.500000e+00\n");
+  EXPECT_EQ(to_covariance_csv({}, {}).substr(0, 10), "stamp,x_x,");
+  EXPECT_THROW(to_covariance_csv({}, {covariance}), std::invalid_argument);
+}
+
 }  // namespace
 }  // namespace ribbon_mapper

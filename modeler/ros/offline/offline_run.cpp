@@ -105,25 +105,30 @@ bool stands_still(const std::vector<StampedPose>& trajectory) {
   });
 }
 
-/// Ends an estimate. Returns it in map, from the first recorded pose on.
+/// Ends an estimate. Returns it in map, from the first recorded pose on, and keeps its covariances.
 std::vector<StampedPose> finished(slam::TrajectoryEstimate& estimate, const Modeler& modeler,
-                                  std::string& origin) {
+                                  OfflineRun& run) {
   estimate.finish();
-  origin = "estimated from odometry and planes; odometry " + number(estimate.noise_scale(), 1) +
-           " x gmapping's noise";
+  run.summary.trajectory = "estimated from odometry and planes; odometry " +
+                           number(estimate.noise_scale(), 1) + " x gmapping's noise";
   std::vector<StampedPose> poses = estimate.trajectory();
   const Pose T_map_estimate =
       modeler.trajectory().front().T_map_base * poses.front().T_map_base.inverse(Eigen::Isometry);
   for (StampedPose& pose : poses) pose.T_map_base = T_map_estimate * pose.T_map_base;
+  for (const Matrix6& covariance : estimate.covariances()) {
+    run.covariances.push_back(in_other_axes(covariance, T_map_estimate.linear()));
+  }
+  run.summary.estimate = {precision_of(run.covariances), estimate.noise_scale()};
   return poses;
 }
 
 /// Returns the final poses, or nothing if the recorded ones are only those of a SLAM on the way.
-/// Writes where they are from to `origin`.
+/// Writes to the run where they are from.
 std::vector<StampedPose> final_poses(const OfflineOptions& options, Modelling& modelling,
-                                     std::string& origin) {
+                                     OfflineRun& run) {
   const Modeler& modeler = modelling.keeper.modeler();
-  if (modelling.estimate) return finished(*modelling.estimate, modeler, origin);
+  std::string& origin = run.summary.trajectory;
+  if (modelling.estimate) return finished(*modelling.estimate, modeler, run);
   if (!options.trajectory.empty()) {
     origin = options.trajectory.filename().string();
     return read_tum(options.trajectory);
@@ -177,7 +182,7 @@ OfflineRun model_bags(const OfflineOptions& options, const ProgressCallback& pro
 
   run.planes_before =
       with_outlines(keeper.modeler().planes_as_built(), config.surface.bridged_gap_m);
-  const auto poses = final_poses(options, modelling, run.summary.trajectory);
+  const auto poses = final_poses(options, modelling, run);
   if (!poses.empty()) keeper.correct(poses);
   if (const auto text = modelling.turns.contradiction(poses)) run.summary.notes.push_back(*text);
   run.planes_after = keeper.planes();
@@ -196,6 +201,9 @@ void write_model(const OfflineRun& run, const std::filesystem::path& directory, 
   FileSet files(directory, kResultsSet);
   files.add("planes_before.json", planes_to_json(run.planes_before, label));
   files.add("trajectory.tum", to_tum(run.trajectory, label.run));
+  if (!run.covariances.empty()) {
+    files.add(kCovarianceFile, to_covariance_csv(run.trajectory, run.covariances, label.run));
+  }
   files.add("summary.json", summary_to_json(run.summary, label.run));
   add_model(run.planes_after, label, "planes_after", run.stripe_gap_m, files);
   if (with_figure) draw_figure(Figure::model_views, files.folder(), directory);

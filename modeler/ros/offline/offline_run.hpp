@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "modeler/chain/matrix6.hpp"
 #include "modeler/program/progress.hpp"
 #include "modeler/ros/offline/offline_options.hpp"
 #include "modeler/ros/offline/offline_summary.hpp"
@@ -21,6 +22,7 @@ struct OfflineRun {
   double stripe_gap_m = SurfaceConfig{}.stripe_gap_m;  ///< as configured, for the mesh
   std::string frame = "map";                           ///< frame of the model
   std::vector<StampedPose> trajectory;                 ///< acquisition poses of the final model
+  std::vector<Matrix6> covariances;                    ///< of an estimate, by pose of `trajectory`
 };
 
 /// Models the bags and evaluates the model with the final poses. Throws std::runtime_error or

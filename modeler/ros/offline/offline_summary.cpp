@@ -10,6 +10,20 @@
 #include "modeler/program/version.hpp"
 
 namespace ribbon_mapper {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+Json to_json(const std::optional<EstimateFigures>& estimate) {
+  if (!estimate) return nullptr;
+  return {{"position_sigma_m_median", estimate->precision.position_m_median},
+          {"position_sigma_m_largest", estimate->precision.position_m_largest},
+          {"heading_sigma_deg_median", estimate->precision.heading_deg_median},
+          {"heading_sigma_deg_largest", estimate->precision.heading_deg_largest},
+          {"noise_scale", estimate->noise_scale}};
+}
+
+}  // namespace
 
 std::size_t dropped_total(const OfflineSummary& summary) {
   std::size_t total = 0;
@@ -22,7 +36,6 @@ double real_time_factor(const OfflineSummary& summary) {
 }
 
 std::string summary_to_json(const OfflineSummary& s, const std::string& run_id) {
-  using Json = nlohmann::ordered_json;
   const Json none = Json::object();
   const Json json{
       {"run", run_id},
@@ -30,6 +43,7 @@ std::string summary_to_json(const OfflineSummary& s, const std::string& run_id) 
       {"config", s.config},
       {"scan_topic", s.scan_topic},
       {"trajectory", s.trajectory},
+      {"estimate", to_json(s.estimate)},
       {"notes", s.notes},
       {"lines", s.lines},
       {"lost_lines", s.lost_lines},

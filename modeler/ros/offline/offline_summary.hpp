@@ -8,7 +8,15 @@
 #include <string>
 #include <vector>
 
+#include "modeler/chain/pose_precision.hpp"
+
 namespace ribbon_mapper {
+
+/// What an estimate of the trajectory says of itself.
+struct EstimateFigures {
+  PosePrecision precision;   ///< as its covariances state it
+  double noise_scale = 1.0;  ///< learnt for the odometry, as a multiple of gmapping's
+};
 
 /// Summary of modelling a recording.
 struct OfflineSummary {
@@ -16,6 +24,8 @@ struct OfflineSummary {
   std::string config;             ///< preset
   std::string scan_topic;         ///< of the laser
   std::string trajectory;         ///< where the poses of the final model are from
+
+  std::optional<EstimateFigures> estimate;  ///< with the trajectory `self`
 
   std::vector<std::string> notes;  ///< what was chosen and what is doubtful, a sentence each
 

@@ -158,7 +158,8 @@ struct DenseReference {
     const VectorXd here = residuals(VectorXd::Zero(unknowns));
     const MatrixXd by_errors =
         hall::derivative_by_error([&](const VectorXd& e) { return residuals(e); }, unknowns);
-    errors = -(by_errors.transpose() * by_errors).inverse() * by_errors.transpose() * here;
+    covariance = (by_errors.transpose() * by_errors).inverse();
+    errors = -covariance * by_errors.transpose() * here;
   }
 
   /// All residuals, whitened by what holds at zero error, with the weak prior on landmarks.
@@ -211,6 +212,7 @@ struct DenseReference {
   const std::vector<ObservingLine>& known;
   const ObservingSegment& observing;
   const std::vector<PlaneLandmark>& landmarks;
+  MatrixXd covariance;
   VectorXd errors;
 };
 
@@ -221,6 +223,13 @@ void expect_dense_solution(const std::vector<ObservingLine>& known,
   const DenseReference reference(known, observing, before);
   std::vector<ObservingSegment> segments{observing};
   std::vector<PlaneLandmark> planes = before;
+  const std::vector<Matrix6> covariances = pose_covariances(known, segments, planes, kRobustSigmas);
+  ASSERT_EQ(covariances.size(), observing.lines.size());
+  for (std::size_t i = 0; i < observing.lines.size(); ++i) {
+    const auto at = static_cast<Eigen::Index>(6 * i);
+    const Matrix6 expected = reference.covariance.block<6, 6>(at, at);
+    EXPECT_LT((covariances[i] - expected).norm(), 2e-3 * expected.norm()) << "line " << i;
+  }
   adjust(known, segments, planes, kRobustSigmas);
   const double tolerance = 2e-3 * reference.errors.cwiseAbs().maxCoeff();
   EXPECT_GT(tolerance, 1e-8) << "the reference itself must say something";

@@ -194,5 +194,12 @@ TEST(Update, OfOneDirectionLeavesTheOthers) {
   EXPECT_NEAR(0.04, result.covariance(1, 1), 1e-12);
 }
 
+TEST(PoseBelief, CovariancesTurnWithTheAxes) {
+  const Vector6 on_axes = (Vector6() << 1.0, 2.0, 3.0, 4.0, 5.0, 6.0).finished();
+  const Eigen::Matrix3d first = any_pose(3).linear(), second = any_pose(4).linear();
+  EXPECT_TRUE(in_other_axes(in_model_axes(on_axes, first), second)
+                  .isApprox(in_model_axes(on_axes, second * first), 1e-12));
+}
+
 }  // namespace
 }  // namespace ribbon_mapper

@@ -4,7 +4,9 @@
 
 #include <gtest/gtest.h>
 
+#include <Eigen/Eigenvalues>
 #include <algorithm>
+#include <array>
 #include <map>
 
 #include "modeler/geometry/angles.hpp"
@@ -66,6 +68,25 @@ Errors errors_of(const std::vector<StampedPose>& trajectory, const Lines& lines)
   return errors;
 }
 
+/// The mean squared error of x, y and heading in standard deviations, for each of them.
+double planar_nees_of(const TrajectoryEstimate& estimate, const Lines& lines) {
+  const auto trajectory = estimate.trajectory(), truth = mini_world::true_trajectory(lines);
+  const std::vector<Matrix6> covariances = estimate.covariances();
+  std::map<Time, Pose> T_map_base;
+  for (const StampedPose& pose : truth) T_map_base[pose.stamp] = pose.T_map_base;
+  const StampedPose& first = trajectory.front();
+  const Pose T_odom_map = first.T_map_base * T_map_base.at(first.stamp).inverse(Eigen::Isometry);
+  double sum = 0.0;
+  for (std::size_t i = 1; i < trajectory.size(); ++i) {
+    const Vector6 error =
+        error_between(trajectory[i].T_map_base, T_odom_map * T_map_base.at(trajectory[i].stamp));
+    const std::array<int, 3> planar{0, 1, 5};
+    const Eigen::Vector3d e = error(planar);
+    sum += e.dot(covariances[i](planar, planar).ldlt().solve(e)) / 3.0;
+  }
+  return sum / static_cast<double>(trajectory.size() - 1);
+}
+
 TEST(TrajectoryEstimate, FollowsTheTruthWhereOdometryDrifts) {
   const Lines lines = lines_of_circle(0.0, 18.0);
   Estimated run(lines);
@@ -108,6 +129,7 @@ TEST(TrajectoryEstimate, OfNoLineIsEmpty) {
   run.estimate.finish();
   EXPECT_FALSE(run.estimate.update());
   EXPECT_TRUE(run.estimate.trajectory().empty());
+  EXPECT_TRUE(run.estimate.covariances().empty());
 }
 
 TEST(TrajectoryEstimate, OfAFewLinesIsTheOdometry) {
@@ -142,6 +164,38 @@ TEST(TrajectoryEstimate, GoesOnWhenTheModelIsThinned) {
   ASSERT_EQ(poses.size(), kept.size());
   for (std::size_t i = 0; i < poses.size(); ++i) EXPECT_EQ(poses[i].stamp, kept[i].stamp);
   EXPECT_LT(errors_of(poses, lines).distance_m, 0.04);
+}
+
+TEST(TrajectoryEstimate, StatesCovariancesThatItsErrorsAgreeWith) {
+  const Lines lines = lines_of_circle(0.0, 18.0);
+  Estimated run(lines);
+  run.estimate.finish();
+  const std::vector<Matrix6> covariances = run.estimate.covariances();
+  ASSERT_EQ(covariances.size(), run.estimate.trajectory().size());
+  EXPECT_EQ(covariances.front(), Matrix6::Zero());  // it defines the frame
+  for (std::size_t i = 1; i < covariances.size(); ++i) {
+    EXPECT_GT(Eigen::SelfAdjointEigenSolver<Matrix6>(covariances[i]).eigenvalues()[0], 0.0) << i;
+  }
+  const double nees = planar_nees_of(run.estimate, lines);
+  EXPECT_GT(nees, 0.02);  // a standard deviation is at most seven times the error
+  EXPECT_LT(nees, 2.0);
+}
+
+TEST(TrajectoryEstimate, CovariancesAreAlongTheAxesOfOdom) {
+  const Lines lines = lines_of_circle(0.0, 6.0);
+  const Pose T_other_odom = planar_pose(2.0, -1.0, M_PI / 2.0);
+  Lines moved = lines;
+  for (mini_world::Line& line : moved) {
+    for (Pose* pose : {&line.poses.T_odom_base_first, &line.poses.T_odom_base_last}) {
+      *pose = T_other_odom * *pose;
+    }
+  }
+  const auto a = Estimated(lines).estimate.covariances();
+  const auto b = Estimated(moved).estimate.covariances();
+  ASSERT_EQ(a.size(), b.size());
+  const Matrix6 expected = in_other_axes(a.back(), T_other_odom.linear());
+  EXPECT_LT((b.back() - expected).norm(), 0.01 * expected.norm());
+  EXPECT_GT((b.back() - a.back()).norm(), 0.05 * expected.norm());
 }
 
 }  // namespace

@@ -7,7 +7,7 @@
 #include <utility>
 #include <vector>
 
-#include "modeler/registration/pose_belief.hpp"
+#include "modeler/chain/matrix6.hpp"
 
 namespace ribbon_mapper {
 
@@ -48,6 +48,12 @@ class ChainSystem {
 
   /// Returns the solution. The matrix must be positive definite.
   Solution solve() const;
+
+  /// Returns the blocks of the inverse matrix on its diagonal, by pose: the covariances of their
+  /// errors. Only those blocks of the inverse are computed that lead to them (Takahashi et al.,
+  /// 'Formation of a sparse bus impedance matrix', 1973), in about twice the time of solve(). The
+  /// matrix must be positive definite.
+  std::vector<Matrix6> pose_covariances() const;
 
  private:
   friend class ChainElimination;

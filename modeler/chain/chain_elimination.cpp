@@ -1,106 +1,15 @@
 // SPDX-FileCopyrightText: 2026 ribbon_mapper authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "modeler/registration/chain_system.hpp"
+#include "modeler/chain/chain_elimination.hpp"
 
-#include <Eigen/Cholesky>
 #include <algorithm>
 #include <limits>
 
 namespace ribbon_mapper {
-namespace {
 
 using Eigen::Index;
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
-
-/// An unknown: the pose or the landmark of this number.
-struct Unknown {
-  bool is_landmark;
-  std::uint32_t number;
-  Index size() const { return is_landmark ? 3 : 6; }
-};
-
-Index size_of(const std::vector<Unknown>& unknowns) {
-  Index size = 0;
-  for (const Unknown& unknown : unknowns) size += unknown.size();
-  return size;
-}
-
-/// A part of the equations: `eliminated` unknowns come first, then those that remain.
-struct Front {
-  std::vector<Unknown> unknowns;
-  std::vector<Index> offsets;
-  MatrixXd matrix;
-  VectorXd vector;
-};
-
-/// What is left to do once the remaining unknowns of a front are known.
-struct Elimination {
-  std::vector<Unknown> eliminated, remaining;
-  MatrixXd coupling;  // factor^-1 * (block between eliminated and remaining)
-  VectorXd vector;    // factor^-1 * right-hand side
-};
-
-struct Range {
-  std::uint32_t first, end;
-  std::uint32_t middle() const { return first + (end - first) / 2; }
-  bool is_empty() const { return first >= end; }
-};
-
-}  // namespace
-
-ChainSystem::ChainSystem(std::size_t poses, std::size_t landmarks)
-    : poses_(poses), landmarks_(landmarks) {}
-
-void ChainSystem::add_pose(std::size_t pose, const Matrix6& information, const Vector6& vector) {
-  poses_[pose].information += information;
-  poses_[pose].vector += vector;
-}
-
-void ChainSystem::add_landmark(std::size_t landmark, const Eigen::Matrix3d& information,
-                               const Eigen::Vector3d& vector) {
-  landmarks_[landmark].information += information;
-  landmarks_[landmark].vector += vector;
-}
-
-void ChainSystem::add_coupling(std::size_t pose, std::uint32_t landmark, const Coupling& block) {
-  auto& couplings = poses_[pose].couplings;
-  for (auto& [number, sum] : couplings) {
-    if (number == landmark) {
-      sum += block;
-      return;
-    }
-  }
-  couplings.emplace_back(landmark, block);
-}
-
-/// Eliminates the unknowns of a system in the order of a balanced tree.
-class ChainElimination {
- public:
-  explicit ChainElimination(const ChainSystem& system);
-  ChainSystem::Solution solution() const;
-
- private:
-  std::uint32_t pose_count() const { return static_cast<std::uint32_t>(system_.poses_.size()); }
-  Front eliminate(const Range& range);
-  std::vector<Unknown> unknowns_of(const Range& range, const std::vector<const Front*>& children,
-                                   std::size_t& eliminated);
-  void add_own_equations(const Range& range, Front& front, std::size_t eliminated);
-  void extend_add(const Front& child, Front& front);
-  Front reduced(const Front& front, std::size_t eliminated);
-  void index(const Front& front);
-  Index& offset_of(const Unknown& unknown) {
-    return unknown.is_landmark ? landmark_offsets_[unknown.number] : pose_offsets_[unknown.number];
-  }
-
-  const ChainSystem& system_;
-  std::vector<Range> observed_;            // by landmark: from the first to the last pose
-  std::vector<Index> pose_offsets_;        // in the front that was indexed last
-  std::vector<Index> landmark_offsets_;    // the same
-  std::vector<Elimination> eliminations_;  // children before parents
-  std::vector<std::uint32_t> marks_;       // by landmark: last front that listed it
-  std::uint32_t mark_ = 0;
-};
 
 ChainElimination::ChainElimination(const ChainSystem& system)
     : system_(system),
@@ -119,9 +28,8 @@ ChainElimination::ChainElimination(const ChainSystem& system)
   if (pose_count() > 0) eliminate({0, pose_count()});
 }
 
-std::vector<Unknown> ChainElimination::unknowns_of(const Range& range,
-                                                   const std::vector<const Front*>& children,
-                                                   std::size_t& eliminated) {
+std::vector<ChainElimination::Unknown> ChainElimination::unknowns_of(
+    const Range& range, const std::vector<Front>& children, std::size_t& eliminated) {
   const std::uint32_t middle = range.middle();
   std::vector<Unknown> first{{false, middle}}, rest;
   if (range.first > 0) rest.push_back({false, range.first - 1});
@@ -135,8 +43,8 @@ std::vector<Unknown> ChainElimination::unknowns_of(const Range& range,
     (is_complete ? first : rest).push_back({true, landmark});
   };
   for (const auto& [landmark, block] : system_.poses_[middle].couplings) list(landmark);
-  for (const Front* child : children) {
-    for (const Unknown& unknown : child->unknowns) {
+  for (const Front& child : children) {
+    for (const Unknown& unknown : child.unknowns) {
       if (unknown.is_landmark) list(unknown.number);
     }
   }
@@ -145,9 +53,23 @@ std::vector<Unknown> ChainElimination::unknowns_of(const Range& range,
   return first;
 }
 
-void ChainElimination::index(const Front& front) {
-  for (std::size_t i = 0; i < front.unknowns.size(); ++i) {
-    offset_of(front.unknowns[i]) = front.offsets[i];
+Index ChainElimination::size_of(const std::vector<Unknown>& unknowns) {
+  Index size = 0;
+  for (const Unknown& unknown : unknowns) size += unknown.size();
+  return size;
+}
+
+void ChainElimination::list_offsets(Block& block) {
+  Index size = 0;
+  for (const Unknown& unknown : block.unknowns) {
+    block.offsets.push_back(size);
+    size += unknown.size();
+  }
+}
+
+void ChainElimination::index(const Block& block) {
+  for (std::size_t i = 0; i < block.unknowns.size(); ++i) {
+    offset_of(block.unknowns[i]) = block.offsets[i];
   }
 }
 
@@ -191,15 +113,15 @@ void ChainElimination::extend_add(const Front& child, Front& front) {
 }
 
 /// Eliminates the first unknowns of a front, and returns the equations of the others.
-Front ChainElimination::reduced(const Front& front, std::size_t eliminated) {
+ChainElimination::Front ChainElimination::reduced(const Front& front, std::size_t eliminated) {
   const auto split = front.unknowns.begin() + static_cast<std::ptrdiff_t>(eliminated);
   Elimination step;
   step.eliminated.assign(front.unknowns.begin(), split);
   step.remaining.assign(split, front.unknowns.end());
   const Index e = size_of(step.eliminated), r = front.matrix.rows() - e;
-  const Eigen::LLT<MatrixXd> factor(front.matrix.topLeftCorner(e, e));
-  step.coupling = factor.solve(front.matrix.topRightCorner(e, r));
-  step.vector = factor.solve(front.vector.head(e));
+  step.factor.compute(front.matrix.topLeftCorner(e, e));
+  step.coupling = step.factor.solve(front.matrix.topRightCorner(e, r));
+  step.vector = step.factor.solve(front.vector.head(e));
   Front rest;
   rest.unknowns = step.remaining;
   rest.matrix = front.matrix.bottomRightCorner(r, r);
@@ -213,22 +135,16 @@ Front ChainElimination::reduced(const Front& front, std::size_t eliminated) {
 }
 
 /// Eliminates all poses of a range, and returns the equations of what remains.
-Front ChainElimination::eliminate(const Range& range) {
-  const std::uint32_t middle = range.middle();
-  const Range before{range.first, middle}, behind{middle + 1, range.end};
+ChainElimination::Front ChainElimination::eliminate(const Range& range) {
   std::vector<Front> children;
-  if (!before.is_empty()) children.push_back(eliminate(before));
-  if (!behind.is_empty()) children.push_back(eliminate(behind));
-  std::vector<const Front*> pointers;
-  for (const Front& child : children) pointers.push_back(&child);
+  for (const Range& part : {range.before(), range.behind()}) {
+    if (!part.is_empty()) children.push_back(eliminate(part));
+  }
   Front front;
   std::size_t eliminated = 0;
-  front.unknowns = unknowns_of(range, pointers, eliminated);
-  Index size = 0;
-  for (const Unknown& unknown : front.unknowns) {
-    front.offsets.push_back(size);
-    size += unknown.size();
-  }
+  front.unknowns = unknowns_of(range, children, eliminated);
+  list_offsets(front);
+  const Index size = size_of(front.unknowns);
   front.matrix = MatrixXd::Zero(size, size);
   front.vector = VectorXd::Zero(size);
   index(front);
@@ -270,6 +186,53 @@ ChainSystem::Solution ChainElimination::solution() const {
   return solution;
 }
 
-ChainSystem::Solution ChainSystem::solve() const { return ChainElimination(*this).solution(); }
+/// Returns the block of some unknowns, all of which `above` has.
+MatrixXd ChainElimination::part_of(const Block& above, const std::vector<Unknown>& unknowns) {
+  index(above);
+  const Index size = size_of(unknowns);
+  MatrixXd part(size, size);
+  Index column = 0;
+  for (const Unknown& of_column : unknowns) {
+    Index row = 0;
+    for (const Unknown& of_row : unknowns) {
+      part.block(row, column, of_row.size(), of_column.size()) = above.matrix.block(
+          offset_of(of_row), offset_of(of_column), of_row.size(), of_column.size());
+      row += of_row.size();
+    }
+    column += of_column.size();
+  }
+  return part;
+}
+
+/// Adds the covariances of a range's poses. `above` holds those of what remains of its front, and
+/// `first_step` is the range's first elimination.
+void ChainElimination::add_covariances(const Range& range, std::size_t first_step,
+                                       const Block& above, std::vector<Matrix6>& covariances) {
+  const Elimination& step = eliminations_[first_step + range.size() - 1];
+  const bool is_leaf = range.size() == 1;  // only the pose's own block is asked for
+  const Index e = step.coupling.rows(), r = step.coupling.cols(), rows = is_leaf ? 6 : e;
+  const MatrixXd remaining = part_of(above, step.remaining);
+  const MatrixXd mixed = step.coupling.topRows(rows) * remaining;  // negative
+  MatrixXd own = step.factor.solve(MatrixXd::Identity(e, rows)).topRows(rows);
+  own.noalias() += mixed * step.coupling.topRows(rows).transpose();
+  covariances[range.middle()] =
+      0.5 * (own.topLeftCorner<6, 6>() + own.topLeftCorner<6, 6>().transpose());
+  if (is_leaf) return;
+  Block here;
+  here.unknowns = step.eliminated;
+  here.unknowns.insert(here.unknowns.end(), step.remaining.begin(), step.remaining.end());
+  list_offsets(here);
+  here.matrix.resize(e + r, e + r);
+  here.matrix << own, -mixed, -mixed.transpose(), remaining;
+  const Range before = range.before(), behind = range.behind();
+  if (!before.is_empty()) add_covariances(before, first_step, here, covariances);
+  if (!behind.is_empty()) add_covariances(behind, first_step + before.size(), here, covariances);
+}
+
+std::vector<Matrix6> ChainElimination::pose_covariances() {
+  std::vector<Matrix6> covariances(system_.poses());
+  if (pose_count() > 0) add_covariances({0, pose_count()}, 0, {}, covariances);
+  return covariances;
+}
 
 }  // namespace ribbon_mapper
