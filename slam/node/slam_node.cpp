@@ -62,6 +62,7 @@ class SlamNode {
   LineLog log_;
   LineIntake intake_;
   ClockGuard clock_;
+  AttentiveClock wait_clock_;
   TransformBuffer tf_;
   TfFeed tf_feed_;
   EstimateWorker worker_;
@@ -113,7 +114,7 @@ void SlamNode::advertise_close() {
 void SlamNode::on_scan(const sensor_msgs::LaserScan& scan) {
   check_clock();
   line_report_.saw(scan);
-  intake_.add(scan, Moment::now());
+  intake_.add(scan, wait_clock_.now());
   newest_received_ =
       time_of(scan.header.stamp) + from_seconds(parameters_.lines.options.scan_time_offset_s);
   if (stopped_) intake_.restart(kStopped);
@@ -129,7 +130,7 @@ void SlamNode::tick() {
 
 void SlamNode::take_lines() {
   check_clock();
-  const Moment now = Moment::now();
+  const Moment now = wait_clock_.now();
   while (worker_.lines_behind() < kMaxLinesBehind) {
     std::optional<ReadyLine> line = intake_.take_next(tf_.core(), now);
     if (!line) return;

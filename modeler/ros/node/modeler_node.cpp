@@ -69,6 +69,7 @@ class ModelerNode {
   ModelKeeper keeper_;
   LineIntake intake_;
   ClockGuard clock_;
+  AttentiveClock wait_clock_;
   TransformBuffer tf_;
   TfFeed tf_feed_;
   ModelPublisher publisher_;
@@ -110,14 +111,14 @@ ModelerNode::ModelerNode(const ModelerParameters& parameters)
 void ModelerNode::on_scan(const sensor_msgs::LaserScan& scan) {
   check_clock();
   line_report_.saw(scan);
-  intake_.add(scan, Moment::now());
+  intake_.add(scan, wait_clock_.now());
   if (stopped_) intake_.restart(kStopped);
   take_lines();
 }
 
 void ModelerNode::take_lines() {
   check_clock();
-  const Moment now = Moment::now();
+  const Moment now = wait_clock_.now();
   while (const std::optional<ReadyLine> line = intake_.take_next(tf_.core(), now)) {
     keeper_.add(*line);
     turns_.add(line->beams.stamp, line->poses.T_odom_base_first);
