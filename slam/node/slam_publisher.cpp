@@ -8,6 +8,7 @@
 
 #include <algorithm>
 
+#include "modeler/ros/intake/clock_guard.hpp"
 #include "modeler/ros/messages/message_conversions.hpp"
 
 namespace ribbon_mapper::slam {
@@ -53,15 +54,23 @@ void SlamPublisher::publish_transform() {
   if (!publishes_tf_ || now.isZero() || now.toSec() + 1.0 > ros::TIME_MAX.toSec()) return;
   const ros::Time stamp = now + tolerance_;
   if (stamp <= newest_) return;
-  newest_ = stamp;
   tf2_msgs::TFMessage message;
-  message.transforms.resize(1);
-  geometry_msgs::TransformStamped& transform = message.transforms.front();
-  transform.header.frame_id = map_frame_;
-  transform.header.stamp = stamp;
-  transform.child_frame_id = odom_frame_;
-  transform.transform = transform_message(T_map_odom_);
+  if (newest_.isZero()) {
+    const double begin_s = std::max(now.toSec() - kMinTimeJump_s, 1e-3);  // zero is "any time"
+    message.transforms.push_back(transform(ros::Time(begin_s)));
+  }
+  message.transforms.push_back(transform(stamp));
+  newest_ = stamp;
   tf_.publish(message);
+}
+
+geometry_msgs::TransformStamped SlamPublisher::transform(const ros::Time& stamp) const {
+  geometry_msgs::TransformStamped message;
+  message.header.frame_id = map_frame_;
+  message.header.stamp = stamp;
+  message.child_frame_id = odom_frame_;
+  message.transform = transform_message(T_map_odom_);
+  return message;
 }
 
 }  // namespace ribbon_mapper::slam

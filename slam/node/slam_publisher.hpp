@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <geometry_msgs/TransformStamped.h>
 #include <ros/node_handle.h>
 #include <ros/publisher.h>
 
@@ -22,7 +23,8 @@ class SlamPublisher {
   /// Publishes the newest trajectory and the newest pose, if there are new ones.
   void publish(const EstimateNews& news);
 
-  /// Publishes map -> odom as of now, unless the clock stands still. To be called often.
+  /// Publishes map -> odom as of now, unless the clock stands still. To be called often. The first
+  /// time, it is also published for the second before, in which the first lines may begin.
   void publish_transform();
 
   /// Starts again where map is odom.
@@ -35,6 +37,8 @@ class SlamPublisher {
   std::string trajectory_topic() const { return trajectory_.getTopic(); }
 
  private:
+  geometry_msgs::TransformStamped transform(const ros::Time& stamp) const;
+
   std::string map_frame_, odom_frame_;
   bool publishes_tf_;
   ros::Duration tolerance_;

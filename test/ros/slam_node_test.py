@@ -22,6 +22,8 @@ from plane_matching import compare
 from waiting import Latest, eventually, service
 
 NEAR_M = 0.1  # twice the largest error of docs/slam.md for this kind of room
+# Tracking leaves 5 cm at a drift of 3 (slam/tilting/estimate_config.hpp), here it is 6; and twice.
+TRACKED_M = 0.2
 
 
 def distance(a, b):
@@ -128,7 +130,7 @@ class SlamNode(unittest.TestCase):
             self.assertTrue(all(math.isfinite(c) for c in pose.pose.covariance))
             self.assertTrue(all(0.0 <= pose.pose.covariance[7 * i] < 1.0 for i in range(6)))
             self.assertLess(distance(pose.pose.pose.position, self.at(truth, pose.header.stamp)),
-                            NEAR_M)
+                            TRACKED_M)
         self.assertGreater(self.poses.newest().pose.covariance[0], 0.0)
 
     def test_diagnostics(self):
