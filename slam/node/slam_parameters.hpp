@@ -13,10 +13,10 @@ namespace ribbon_mapper::slam {
 
 /// The private parameters of the node `slam`.
 struct SlamParameters {
-  IntakeParameters lines;  ///< frames and times; its map frame is that of odometry
-  std::string map_frame;   ///< of the estimate
-  ModelerConfig config;    ///< the preset: how ribbons are made
-  EstimateConfig estimate;
+  IntakeParameters lines;        ///< frames and times; its map frame is that of odometry
+  std::string map_frame;         ///< of the estimate
+  ModelerConfig config;          ///< the preset: how ribbons are made
+  EstimateConfig estimate;       ///< what belongs to the estimate alone
   double tf_cache_s;             ///< how long transforms are kept
   double transform_tolerance_s;  ///< map -> odom is stamped so much later than now
   bool publish_tf;               ///< whether map -> odom is published
