@@ -22,9 +22,11 @@ test: build ## all tests
 demo: export ROS_MASTER_URI = http://localhost:11411
 demo: export ROS_HOSTNAME = localhost
 demo: GROUP = $(if $(findstring rviz:=true,$(ARGS)),rviz)
-demo: build ## the whole chain in a simulated flat, results in results/loop_closure
+demo: build ## a simulated flat, corrected by the truth, then by the slam; results in results/
 	source build/devel/setup.bash && roslaunch ribbon_mapper loop_closure.launch \
 	  output:=$(CURDIR)/results/loop_closure $(ARGS)
+	source build/devel/setup.bash && roslaunch ribbon_mapper loop_closure.launch correction:=slam \
+	  output:=$(CURDIR)/results/loop_closure_slam $(ARGS)
 
 # The real recordings with their presets.
 bench: RECORDINGS = --bag test/data/recordings/room_scan1.bag --bag-config config/room_scan.yaml \

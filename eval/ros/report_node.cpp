@@ -7,6 +7,7 @@
 #include <exception>
 #include <stdexcept>
 
+#include "eval/results/trajectory_error.hpp"
 #include "eval/results/world_outlines.hpp"
 #include "eval/ros/tour_watch.hpp"
 #include "modeler/program/figure.hpp"
@@ -20,6 +21,22 @@ namespace ribbon_mapper::eval {
 namespace {
 
 constexpr double kProgressPeriod_s = 5.0;
+
+/// Returns what corrected the trajectory. Throws std::invalid_argument that lists what is allowed.
+std::string closure_from(const std::string& name) {
+  if (name == "truth" || name == "self") return name;
+  throw std::invalid_argument("parameter closure is '" + name + "', allowed are truth and self");
+}
+
+/// Prints how far an estimated trajectory is from the true one.
+void print_error(const std::vector<StampedPose>& estimate, const std::vector<StampedPose>& truth) {
+  if (estimate.empty() || estimate.size() != truth.size()) return;
+  const TrajectoryError e = trajectory_error(estimate, truth);
+  std::printf(
+      "trajectory estimated without truth: position %.1f cm RMS (largest %.1f; aligned %.1f), "
+      "heading %.2f deg RMS\n",
+      100.0 * e.rmse_m, 100.0 * e.largest_m, 100.0 * e.aligned_rmse_m, e.rmse_deg);
+}
 
 struct NodeParameters {
   std::filesystem::path output;
@@ -43,6 +60,7 @@ struct NodeParameters {
     run.noise = run.tilt = run.caster = "";  // known to the simulator only
     run.seed = static_cast<std::uint64_t>(from.integer("seed", 0, 0, 2'000'000'000));
     run.drift = from.number("drift", 0.0, 0.0, 1000.0);
+    run.closure = closure_from(from.text("closure", "truth"));
     p.summary.command = from.text("command", "");
     from.refuse_unknown();
     return p;
@@ -117,8 +135,10 @@ class ReportNode {
     FileSet files = staged_results(results, parameters_.output);
     draw_figure(Figure::before_after, files.folder(), parameters_.output);
     files.commit();
-    std::printf("\n%s\nresults in %s\n", summary_table(summary).c_str(),
-                parameters_.output.c_str());
+    std::printf("\n%s", summary_table(summary).c_str());
+    if (summary.run.closure == "self")
+      print_error(results.trajectory_after, results.trajectory_truth);
+    std::printf("\nresults in %s\n", parameters_.output.c_str());
     std::fflush(stdout);
     is_done_ = true;
     ros::shutdown();

@@ -20,6 +20,11 @@ std::vector<StampedPose> poses_from(const nav_msgs::Path::ConstPtr& path) {
   return trajectory_of(*path, path->header.frame_id);
 }
 
+Eigen::Vector3d position_of(const geometry_msgs::PoseStamped& stamped) {
+  const geometry_msgs::Point& at = stamped.pose.position;
+  return {at.x, at.y, at.z};
+}
+
 /// Returns the seconds of tour per second of computing.
 double modeler_speed(const std::vector<StampedPose>& trajectory, const GetModel::Response& state) {
   const double work_s = 1e-6 * state.us_per_line * static_cast<double>(state.lines);
@@ -33,6 +38,8 @@ TourWatch::TourWatch() {
   get_model_ = node_.serviceClient<GetModel>(kModelService);
   finished_topic_ = node_.subscribe<std_msgs::Bool>(
       "tour_finished", 2, [this](const auto& message) { finished_ = message->data; });
+  corrected_topic_ = node_.subscribe<std_msgs::Bool>(
+      "tour_corrected", 2, [this](const auto& message) { corrected_ = message->data; });
   correction_ = node_.subscribe("corrected_trajectory", 10, &TourWatch::on_correction, this);
   truth_planes_topic_ = node_.subscribe<PlaneArray>(
       "ground_truth/planes", 1, [this](const auto& message) { truth_planes_ = message; });
@@ -50,7 +57,7 @@ TourWatch::TourWatch() {
 
 void TourWatch::on_correction(const nav_msgs::Path& path) {
   ++corrections_;
-  if (!path.poses.empty()) corrected_until_ = path.poses.back().header.stamp;
+  if (!path.poses.empty()) corrected_until_ = path.poses.back();
 }
 
 void TourWatch::look() {
@@ -88,14 +95,22 @@ std::string TourWatch::progress() const {
   return text.data();
 }
 
-// True when the latest correction has been applied and no other is expected. Its poses tell whether
-// it covers the whole tour, because messages of different topics arrive in any order.
+// Messages of different topics arrive in any order, and the modeler may have left out corrections
+// that were outdated when it came to them. Its trajectory tells which was the last one.
+bool TourWatch::shows_latest_correction() const {
+  constexpr double kSamePlace_m = 0.001;
+  if (!trajectory_ || trajectory_->poses.empty()) return false;
+  const geometry_msgs::PoseStamped& last = trajectory_->poses.back();
+  if (corrected_until_.header.stamp < last.header.stamp) return false;
+  const Eigen::Vector3d moved = position_of(last) - position_of(corrected_until_);
+  return state_.planes.revision >= corrections_ ||
+         (corrected_until_.header.stamp == last.header.stamp && moved.norm() < kSamePlace_m);
+}
+
+// True when the latest correction has been applied and no other is expected.
 bool TourWatch::is_corrected() const {
-  const std::size_t revision = state_.planes.revision;
-  if (revision == 0 || revision_is_new_) return false;
-  const bool covers_tour = trajectory_ && !trajectory_->poses.empty() &&
-                           corrected_until_ >= trajectory_->poses.back().header.stamp;
-  return (covers_tour && revision >= corrections_) || idle_s() > kSettled_s;
+  if (state_.planes.revision == 0 || revision_is_new_) return false;
+  return (corrected_ && shows_latest_correction()) || idle_s() > kSettled_s;
 }
 
 std::string TourWatch::missing() const {

@@ -48,16 +48,17 @@ class TourWatch {
   void on_correction(const nav_msgs::Path& path);
   GetModel::Response model(bool before_correction, bool as_built, bool with_cells);
   bool is_corrected() const;
+  bool shows_latest_correction() const;
   double speed() const;
 
   ros::NodeHandle node_;
   ros::ServiceClient get_model_;
-  ros::Subscriber finished_topic_, correction_, truth_planes_topic_, truth_poses_;
+  ros::Subscriber finished_topic_, corrected_topic_, correction_, truth_planes_topic_, truth_poses_;
   ros::Subscriber trajectory_topic_, trajectory_before_topic_;
 
-  bool finished_ = false;
-  std::size_t corrections_ = 0;  ///< number of corrections sent to the modeler
-  ros::Time corrected_until_;    ///< stamp of the last pose of the latest one
+  bool finished_ = false, corrected_ = false;   ///< as announced
+  std::size_t corrections_ = 0;                 ///< number of corrections sent to the modeler
+  geometry_msgs::PoseStamped corrected_until_;  ///< the last pose of the latest one
   PlaneArray::ConstPtr truth_planes_;
   PoseHistory truth_;
   nav_msgs::Path::ConstPtr trajectory_, trajectory_before_;

@@ -16,7 +16,7 @@ namespace ribbon_mapper {
 namespace {
 
 struct NodeParameters {
-  std::string map_frame;
+  std::string map_frame, close_service;
   bool at_tour_end, at_loop;
   double radius_m, min_travel_m;
 
@@ -24,6 +24,7 @@ struct NodeParameters {
     StrictParameters from;
     NodeParameters p;
     p.map_frame = from.text("map_frame", "map");
+    p.close_service = from.text("close_service", "");
     p.at_tour_end = from.flag("at_tour_end", true);
     p.at_loop = from.flag("at_loop", false);
     p.radius_m = from.number("radius", 0.5, 0.01, 100.0);
@@ -33,13 +34,17 @@ struct NodeParameters {
   }
 };
 
-/// Simulates a loop closure: publishes the true poses at the acquisition stamps of the modeler,
-/// once the modeler has handled every line taken until then.
+/// Closes loops, once the modeler has handled every line taken until then. Simulates it: publishes
+/// the true poses at the acquisition stamps of the modeler. With ~close_service, a SLAM closes.
 class CorrectionNode {
  public:
   explicit CorrectionNode(const NodeParameters& parameters)
       : parameters_(parameters), loop_(parameters.radius_m, parameters.min_travel_m) {
-    corrected_ = node_.advertise<nav_msgs::Path>("corrected_trajectory", 1, true);
+    if (parameters_.close_service.empty()) {
+      corrected_ = node_.advertise<nav_msgs::Path>("corrected_trajectory", 1, true);
+    }
+    tour_corrected_ = node_.advertise<std_msgs::Bool>("tour_corrected", 1, true);
+    publish_tour_corrected(false);
     close_loop_ =
         private_node_.advertiseService("close_loop", &CorrectionNode::on_close_loop, this);
     truth_ = node_.subscribe("base_pose_ground_truth", 10000, &CorrectionNode::on_truth, this);
@@ -62,14 +67,16 @@ class CorrectionNode {
   void start_next_run() {
     loop_ = LoopDetector(parameters_.radius_m, parameters_.min_travel_m);
     latest_ = {};
-    is_requested_ = false;
+    is_requested_ = tour_is_over_ = false;
     last_scan_ = Time(0);
+    publish_tour_corrected(false);
   }
 
   void on_scan(const sensor_msgs::LaserScan& scan) { last_scan_ = time_of(scan.header.stamp); }
 
   void on_finished(const std_msgs::Bool& finished) {
-    if (finished.data && parameters_.at_tour_end) request("the tour has ended");
+    tour_is_over_ = finished.data;
+    if (tour_is_over_ && parameters_.at_tour_end) request("the tour has ended");
   }
 
   void on_trajectory(const nav_msgs::Path& path) {
@@ -94,7 +101,30 @@ class CorrectionNode {
     return true;
   }
 
+  void publish_tour_corrected(bool is_corrected) {
+    std_msgs::Bool message;
+    message.data = is_corrected;
+    tour_corrected_.publish(message);
+  }
+
   bool correct(std::string& message) {
+    const bool is_corrected =
+        parameters_.close_service.empty() ? correct_by_truth(message) : correct_by_slam(message);
+    if (is_corrected && tour_is_over_) publish_tour_corrected(true);
+    return is_corrected;
+  }
+
+  bool correct_by_slam(std::string& message) {
+    std_srvs::Trigger close;
+    if (!ros::service::call(parameters_.close_service, close)) {
+      message = "no answer from " + parameters_.close_service + ": does the SLAM run?";
+      return false;
+    }
+    message = close.response.message;
+    return close.response.success;
+  }
+
+  bool correct_by_truth(std::string& message) {
     if (latest_.poses.empty()) {
       message = "no poses on " + trajectory_.getTopic() + " yet: does the modeler run?";
       return false;
@@ -119,9 +149,9 @@ class CorrectionNode {
   LoopDetector loop_;
   nav_msgs::Path latest_;  ///< the modeler's trajectory
   Time last_scan_{0};
-  bool is_requested_ = false;
+  bool is_requested_ = false, tour_is_over_ = false;
   Time required_stamp_{0};  ///< the modeler must have handled the lines up to here
-  ros::Publisher corrected_;
+  ros::Publisher corrected_, tour_corrected_;
   ros::ServiceServer close_loop_;
   ros::Subscriber truth_, scan_, finished_, trajectory_;
 };

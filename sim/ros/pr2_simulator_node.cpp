@@ -95,7 +95,7 @@ int main(int argc, char** argv) {
     ROS_INFO("%s; %s", world.content().c_str(), tour.view().c_str());
     for (const std::string& warning : world.warnings())
       ROS_WARN("world %s: %s", parameters.world.c_str(), warning.c_str());
-    TourPublisher publisher(node, world, tour, parameters.frames);
+    TourPublisher publisher(node, world, tour, parameters.frames, parameters.localisation);
     // Connections are made by callbacks; latched messages go out with them.
     ros::AsyncSpinner spinner(1);
     spinner.start();

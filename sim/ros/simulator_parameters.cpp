@@ -66,6 +66,7 @@ SimulatorParameters SimulatorParameters::read() {
   p.frames.map = from.text("map_frame", p.frames.map);
   p.frames.odom = from.text("odom_frame", p.frames.odom);
   p.frames.base = from.text("base_frame", p.frames.base);
+  p.localisation = from.flag("localisation", true);
   p.rate = from.number("rate", 1.0, 0.01, 100.0);
   p.wait_for = split(from.text("wait_for", "tilt_scan joint_states"), ' ');
   p.longest_wait_s = from.number("longest_wait", 30.0, 0.0, 3600.0);

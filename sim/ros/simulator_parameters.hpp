@@ -25,6 +25,7 @@ struct SimulatorParameters {
   RayCasterKind caster;                  ///< library that casts the rays
   TourConfig tour;                       ///< sensors, noise and seed
   SimulatorFrames frames;                ///< names of the frames
+  bool localisation;                     ///< see TourPublisher
   double rate;                           ///< seconds of tour per second
   std::vector<std::string> wait_for;     ///< topics that need a subscriber before the tour starts
   double longest_wait_s;                 ///< for these subscribers; then the tour starts anyway

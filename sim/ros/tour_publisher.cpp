@@ -28,8 +28,13 @@ Time end_of(const Scan& scan) {
 }  // namespace
 
 TourPublisher::TourPublisher(ros::NodeHandle& node, const World& world, Tour& tour,
-                             const SimulatorFrames& frames)
-    : tour_(tour), frames_(frames), truth_(world), echo_(node), next_scan_(tour.next_scan()) {
+                             const SimulatorFrames& frames, bool has_localisation)
+    : tour_(tour),
+      frames_(frames),
+      has_localisation_(has_localisation),
+      truth_(world),
+      echo_(node),
+      next_scan_(tour.next_scan()) {
   // Long queues: on a busy machine, a late message is better than a lost one.
   clock_ = node.advertise<rosgraph_msgs::Clock>("/clock", 1000);
   tf_ = node.advertise<tf2_msgs::TFMessage>("/tf", 10000);
@@ -61,6 +66,13 @@ Time TourPublisher::in_tour(Time now) const {
   return std::clamp(now - kStart, Time(0), tour_.duration());
 }
 
+Pose TourPublisher::T_odom_base(Time at) const {
+  if (has_localisation_) return tour_.T_odom_base(at);
+  const Pose T_odom_tour =
+      tour_.true_T_map_base(Time(0)) * tour_.T_odom_base(Time(0)).inverse(Eigen::Isometry);
+  return T_odom_tour * tour_.T_odom_base(at);
+}
+
 std_msgs::Header TourPublisher::map_header(Time now) const {
   std_msgs::Header header;
   header.frame_id = frames_.map;
@@ -76,7 +88,7 @@ void TourPublisher::tick(Time now) {
   clock_.publish(clock);
   publish_base(now);
   publish_joints(now);
-  publish_localisation(now);
+  if (has_localisation_) publish_localisation(now);
   publish_scans(now);
   publish_base_scans(now);
   publish_true_path(now);
@@ -85,7 +97,7 @@ void TourPublisher::tick(Time now) {
 void TourPublisher::publish_base(Time now) {
   const Time at = in_tour(now);
   const ros::Time stamp = stamp_of(now);
-  const Pose T_odom_base = tour_.T_odom_base(at);
+  const Pose T_odom_base = this->T_odom_base(at);
   const Velocity velocity = tour_.true_velocity(at);
   tf2_msgs::TFMessage tf;
   tf.transforms.push_back(stamped_transform(frames_.odom, frames_.base, T_odom_base, stamp));

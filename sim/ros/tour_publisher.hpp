@@ -18,6 +18,9 @@ namespace ribbon_mapper::sim {
 
 /// Publishes the clock, the sensors, the localisation and the ground truth of a tour.
 ///
+/// Without localisation, there is no map -> odom. The odometry then starts at the robot's true
+/// pose, so that a SLAM whose map is odom at the start has the frame of the ground truth.
+///
 /// Time advances in ticks; the same tour gives the same messages at any speed. The robot stands
 /// still before and after the tour. The base laser's rays are cast while base_scan has a
 /// subscriber. What they hit does not count as seen in the ground truth.
@@ -32,7 +35,7 @@ class TourPublisher {
 
   /// Advertises the topics. `tour` must outlive this object.
   TourPublisher(ros::NodeHandle& node, const World& world, Tour& tour,
-                const SimulatorFrames& frames);
+                const SimulatorFrames& frames, bool has_localisation);
 
   /// Publishes everything up to simulated time `now`. To be called tick by tick.
   void tick(Time now);
@@ -55,6 +58,7 @@ class TourPublisher {
 
  private:
   Time in_tour(Time now) const;
+  Pose T_odom_base(Time at) const;
   std_msgs::Header map_header(Time now) const;
   void publish_joints(Time now);
   void publish_base(Time now);
@@ -65,6 +69,7 @@ class TourPublisher {
 
   Tour& tour_;
   SimulatorFrames frames_;
+  bool has_localisation_;
   TruthCollector truth_;
   TiltEcho echo_;
   std::optional<Scan> next_scan_;

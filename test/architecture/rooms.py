@@ -56,6 +56,7 @@ ROOMS = {
     "slam/level": Room(["modeler/geometry", "slam/matching"], ["Eigen"]),
     "slam/ros": Room(_TOOLS + _ROS + ["modeler/ros/bag", "modeler/ros/bag_check", "slam/matching",
                                       "slam/level"], ANY),
+    "slam/node": Room(_TOOLS + _ROS + ["slam/tilting"], ANY),
     # The simulator has its own beam geometry, so that an error in one cannot hide in the other.
     "sim/shapes": Room(_POSE, ["Eigen", "assimp", "sys"]),
     "sim/rays": Room(_POSE + ["sim/shapes"], ["Eigen", "BulletCollision", "embree3"]),

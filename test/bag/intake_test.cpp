@@ -8,6 +8,7 @@
 
 #include "modeler/ros/intake/input_watch.hpp"
 #include "modeler/ros/intake/line_gaps.hpp"
+#include "modeler/ros/intake/line_intake.hpp"
 #include "modeler/ros/intake/transform_buffer.hpp"
 #include "modeler/ros/messages/message_conversions.hpp"
 #include "modeler/ros/node/turn_check.hpp"
@@ -33,6 +34,20 @@ LineGap total_of(const Seq& seq_of, const Keep& is_kept) {
 
 const auto kCounting = [](std::uint32_t line) { return 4294967200U + line; };  // wraps
 const auto kConstant = [](std::uint32_t) { return 0U; };
+
+TEST(AttentiveClock, APauseOfTheNodeIsNoWaitOfItsLines) {
+  AttentiveClock clock;
+  const auto wall_s = [&](double shown_s) {
+    return clock.at({ros::Time(7.0), ros::WallTime(shown_s)}).wall.toSec();
+  };
+  EXPECT_DOUBLE_EQ(wall_s(1000.0), 1000.0);
+  EXPECT_DOUBLE_EQ(wall_s(1000.02), 1000.02);
+  EXPECT_DOUBLE_EQ(wall_s(1000.04), 1000.04);
+  EXPECT_NEAR(wall_s(1030.04), 1000.14, 1e-9);  // 30 s in which nothing was read
+  EXPECT_NEAR(wall_s(1030.06), 1000.16, 1e-9);
+  EXPECT_NEAR(wall_s(1000.0), 1000.16, 1e-9);  // the wall clock was set back
+  EXPECT_EQ(clock.at({ros::Time(8.0), ros::WallTime(1001.0)}).data, ros::Time(8.0));
+}
 
 TEST(LineGaps, NothingIsMissing) {
   const auto all = [](std::uint32_t) { return true; };

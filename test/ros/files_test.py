@@ -41,6 +41,10 @@ class Files(unittest.TestCase):
         names = {node.name for node in loaded(file).nodes}
         self.assertEqual(names, {'pr2_simulator', 'robot_state_publisher', 'modeler', 'correction',
                                  'report'})
+        with_slam = loaded(file, ['correction:=slam'])
+        self.assertEqual({node.name for node in with_slam.nodes}, names | {'slam'})
+        with self.assertRaises(Exception):
+            loaded(file, ['correction:=magic'])
         with_rviz = loaded(file, ['rviz:=true'])
         self.assertIn('rviz', {node.name for node in with_rviz.nodes})
 

@@ -64,8 +64,17 @@ class Refusal(unittest.TestCase):
     def test_every_node_refuses_unknown_parameters(self):
         output = '_output:=' + os.path.join(tempfile.gettempdir(), 'refused.yaml')
         for node, arguments in (('tf_filter', []), ('slam_adapter', ['_source:=tf']),
-                                ('calibrate', [PR2, output])):
+                                ('calibrate', [PR2, output]), ('slam', [PR2])):
             self.refuse(node, arguments + ['_no_such:=1'], '/no_such', 'is unknown; there are')
+
+    def test_bad_parameters_of_the_slam(self):
+        self.refuse('slam', [], '/config', 'is missing')
+        self.refuse('slam', ['_config:=/no/such.yaml'], '/no/such.yaml')
+        self.refuse('slam', [PR2, '_window:=0'], '/window', '1 to 600')
+        self.refuse('slam', [PR2, '_first_noise_scale:=much'], 'must be a number')
+        self.refuse('slam', [PR2, '_publish_tf:=7'], '/publish_tf', 'must be true or false')
+        self.refuse('slam', [PR2, '_on_time_jump:=wait'], 'on_time_jump', 'reset, stop and continue')
+        self.refuse('slam', [PR2, '_map_frame:=odom', '_odom_frame:=odom'], 'are both')
 
     def test_unknown_or_bad_parameters_of_the_correction(self):
         self.refuse('correction', ['_no_such:=1'], '/no_such', 'is unknown')

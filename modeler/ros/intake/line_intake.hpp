@@ -6,6 +6,7 @@
 #include <sensor_msgs/LaserScan.h>
 #include <tf2/buffer_core.h>
 
+#include <algorithm>
 #include <deque>
 #include <optional>
 #include <string>
@@ -36,6 +37,28 @@ struct Moment {
   static Moment recorded(const ros::Time& time) {
     return {time, ros::WallTime(time.sec, time.nsec)};
   }
+};
+
+/// Tells the present moment with the wall time in which a node was there for its messages. A pause
+/// between two calls counts as a tenth of a second at most: what has come meanwhile is in the
+/// node's queues, and no line is to be given up before that is read.
+class AttentiveClock {
+ public:
+  /// Returns the present moment. To be called often.
+  Moment now() { return at(Moment::now()); }
+
+  /// Returns the moment for what both clocks show.
+  Moment at(const Moment& shown) {
+    const ros::WallDuration longest(0.1);
+    const ros::WallDuration step = shown.wall - last_;
+    if (last_.isZero()) attended_ = shown.wall;
+    if (!last_.isZero()) attended_ += std::min(std::max(step, ros::WallDuration(0.0)), longest);
+    last_ = shown.wall;
+    return {shown.data, attended_};
+  }
+
+ private:
+  ros::WallTime last_, attended_;
 };
 
 /// Settings of a LineIntake.

@@ -78,13 +78,13 @@ class CalibrateNode {
 
   void on_scan(const sensor_msgs::LaserScan& scan) {
     check_clock();
-    intake_.add(scan, Moment::now());
+    intake_.add(scan, wait_clock_.now());
     take_lines();
   }
 
   void take_lines() {
     check_clock();
-    const Moment now = Moment::now();
+    const Moment now = wait_clock_.now();
     while (const std::optional<ReadyLine> line = intake_.take_next(tf_.core(), now)) {
       calibrator_.add(line->beams, line->poses);
     }
@@ -138,6 +138,7 @@ class CalibrateNode {
   LineLog log_;
   LineIntake intake_;
   ClockGuard clock_;
+  AttentiveClock wait_clock_;
   TransformBuffer tf_;
   TfFeed tf_feed_;
   Calibrator calibrator_;

@@ -5,7 +5,8 @@
 #include <unistd.h>
 
 #include <fstream>
-#include <utility>
+
+#include "modeler/ros/node/update_of_diagnostics.hpp"
 
 namespace ribbon_mapper {
 namespace {
@@ -25,47 +26,14 @@ double resident_bytes() {
 
 }  // namespace
 
-ModelerDiagnostics::ModelerDiagnostics(const ModelKeeper& keeper, const LineIntake& intake,
-                                       const TransformBuffer& tf, std::string scan_topic)
-    : keeper_(keeper), intake_(intake), tf_(tf), scan_topic_(std::move(scan_topic)) {
+ModelerDiagnostics::ModelerDiagnostics(const ModelKeeper& keeper, LineReport& lines)
+    : keeper_(keeper) {
   updater_.setHardwareID("none");
-  updater_.add("scan lines", this, &ModelerDiagnostics::lines);
+  updater_.add("scan lines", &lines, &LineReport::diagnose);
   updater_.add("plane model", this, &ModelerDiagnostics::model);
 }
 
-void ModelerDiagnostics::publish() {
-  constexpr double kMaxPeriod_s = 3600.0;
-  if (ros::Time::now().toSec() + kMaxPeriod_s < ros::TIME_MAX.toSec()) updater_.force_update();
-}
-
-void ModelerDiagnostics::lines(DiagnosticStatusWrapper& status) {
-  const LineLog& log = keeper_.log();
-  const std::size_t lines = log.lines(), dropped = log.dropped_lines();
-  if (lines == 0) {
-    status.summary(DiagnosticStatus::WARN, "no scan on " + scan_topic_ + " yet");
-  } else if (dropped > dropped_before_) {
-    status.summary(DiagnosticStatus::WARN, "lines are dropped");
-  } else if (log.lost() > lost_before_) {
-    status.summary(DiagnosticStatus::WARN, "lines are lost before they come here");
-  } else if (!intake_.waits_for().empty() && lines == lines_before_) {
-    status.summary(DiagnosticStatus::WARN, "waiting: " + intake_.waits_for());
-  } else {
-    status.summary(DiagnosticStatus::OK, lines > lines_before_ ? "receiving" : "no new lines");
-  }
-  lines_before_ = lines, dropped_before_ = dropped, lost_before_ = log.lost();
-  status.add("lines in", lines);
-  status.add("lines waiting for tf", intake_.waiting());
-  status.add("lines dropped", dropped);
-  status.add("lines lost before they came (header.seq)", log.lost());
-  status.add("gaps between lines", log.gaps());
-  status.addf("time without lines in gaps [s]", "%.1f", log.silent_s());
-  const TransformCounts& transforms = tf_.counts();
-  status.add("transforms repeated", transforms.repeated);
-  status.add("transforms not usable", transforms.refused);
-  for (const auto& [reason, count] : log.dropped_by_reason())
-    status.add("dropped: " + reason, count);
-  for (const auto& [outcome, count] : log.handled_by_outcome()) status.add(outcome, count);
-}
+void ModelerDiagnostics::publish() { publish_now(updater_); }
 
 void ModelerDiagnostics::model(DiagnosticStatusWrapper& status) {
   const ModelStatistics statistics = keeper_.modeler().statistics();

@@ -8,13 +8,13 @@
 
 #include "modeler/io/config_file.hpp"
 #include "modeler/ros/intake/clock_guard.hpp"
-#include "modeler/ros/intake/input_watch.hpp"
 #include "modeler/ros/intake/line_intake.hpp"
 #include "modeler/ros/intake/model_doubts.hpp"
 #include "modeler/ros/intake/tf_feed.hpp"
 #include "modeler/ros/intake/time_jump.hpp"
 #include "modeler/ros/messages/message_conversions.hpp"
 #include "modeler/ros/node/intake_parameters.hpp"
+#include "modeler/ros/node/line_report.hpp"
 #include "modeler/ros/node/model_publisher.hpp"
 #include "modeler/ros/node/model_services.hpp"
 #include "modeler/ros/node/modeler_diagnostics.hpp"
@@ -62,8 +62,6 @@ class ModelerNode {
   void empty_model();
   void take_lines();
   void report();
-  void warn_of_drops();
-  void warn_of_missing_lines();
   void warn_of_doubts();
 
   ModelerParameters parameters_;
@@ -71,20 +69,20 @@ class ModelerNode {
   ModelKeeper keeper_;
   LineIntake intake_;
   ClockGuard clock_;
+  AttentiveClock wait_clock_;
   TransformBuffer tf_;
   TfFeed tf_feed_;
   ModelPublisher publisher_;
+  LineReport line_report_;
   ModelerDiagnostics diagnostics_;
   ros::ServiceServer reset_, save_, get_model_;
   ros::Subscriber corrected_trajectory_, scan_;
   ros::WallTimer line_timer_, report_timer_;
-  InputWatch watch_;
   BarrenLines barren_lines_;
   bool has_warned_of_no_return_ = false, has_warned_of_timing_ = false;
   bool stopped_ = false;  ///< by a time jump, until ~reset
   TurnCheck turns_;
-  std::size_t reports_ = 0, reported_lines_ = 0, reported_drops_ = 0;
-  std::size_t reported_lost_ = 0, reported_gaps_ = 0;
+  std::size_t reports_ = 0, reported_lines_ = 0;
 };
 
 ModelerNode::ModelerNode(const ModelerParameters& parameters)
@@ -94,8 +92,8 @@ ModelerNode::ModelerNode(const ModelerParameters& parameters)
       tf_(parameters.tf_cache_s, parameters.lines.tf_drop_frames),
       tf_feed_(node_, tf_, [this] { check_clock(); }),
       publisher_(private_node_, parameters.lines.options.frames.map),
-      diagnostics_(keeper_, intake_, tf_, node_.resolveName("scan")),
-      watch_(node_.resolveName("scan")) {
+      line_report_(keeper_.log(), intake_, tf_, node_.resolveName("scan")),
+      diagnostics_(keeper_, line_report_) {
   reset_ = private_node_.advertiseService("reset", &ModelerNode::on_reset, this);
   save_ = private_node_.advertiseService("save", &ModelerNode::on_save, this);
   get_model_ = private_node_.advertiseService("get_model", &ModelerNode::on_get_model, this);
@@ -112,15 +110,15 @@ ModelerNode::ModelerNode(const ModelerParameters& parameters)
 
 void ModelerNode::on_scan(const sensor_msgs::LaserScan& scan) {
   check_clock();
-  watch_.saw(scan);
-  intake_.add(scan, Moment::now());
+  line_report_.saw(scan);
+  intake_.add(scan, wait_clock_.now());
   if (stopped_) intake_.restart(kStopped);
   take_lines();
 }
 
 void ModelerNode::take_lines() {
   check_clock();
-  const Moment now = Moment::now();
+  const Moment now = wait_clock_.now();
   while (const std::optional<ReadyLine> line = intake_.take_next(tf_.core(), now)) {
     keeper_.add(*line);
     turns_.add(line->beams.stamp, line->poses.T_odom_base_first);
@@ -185,53 +183,24 @@ void ModelerNode::on_time_jump() {
 void ModelerNode::empty_model() {
   keeper_.reset();
   turns_.clear();
-  reported_lost_ = reported_gaps_ = 0;
+  line_report_.restart();
   barren_lines_ = {};
-  reported_lines_ = reported_drops_ = 0;
+  reported_lines_ = 0;
 }
 
 void ModelerNode::report() {
   publisher_.publish(keeper_, intake_.done());
   diagnostics_.publish();
   if (++reports_ % 5 != 0) return;  // counted, not throttled: simulated time may stand still
-  warn_of_drops();
-  warn_of_missing_lines();
+  line_report_.warn();
   warn_of_doubts();
-  const std::string complaint = watch_.complaint(intake_, tf_);
+  const std::string complaint = line_report_.complaint();
   if (!complaint.empty()) {
     ROS_WARN("%s", complaint.c_str());
   } else if (std::exchange(reported_lines_, keeper_.log().lines()) != keeper_.log().lines()) {
     ROS_INFO("%zu lines (%zu dropped), %zu ribbons, %.0f times real time", keeper_.log().lines(),
              keeper_.log().dropped_lines(), keeper_.modeler().statistics().ribbons,
              keeper_.real_time_factor());
-  }
-}
-
-void ModelerNode::warn_of_drops() {
-  const LineLog& log = keeper_.log();
-  const std::size_t dropped = log.dropped_lines();
-  const std::size_t before = std::exchange(reported_drops_, dropped);
-  if (dropped == before) return;
-  ROS_WARN("A line is dropped: %s. %zu dropped so far%s", log.newest_drop().c_str(), dropped,
-           watch_.frames_advice(intake_, tf_).c_str());
-  const std::string lateness = watch_.lateness(intake_, tf_);
-  if (!lateness.empty()) ROS_WARN("%s", lateness.c_str());
-}
-
-void ModelerNode::warn_of_missing_lines() {
-  const LineLog& log = keeper_.log();
-  const std::size_t lost = log.lost(), gaps = log.gaps();
-  if (std::exchange(reported_lost_, lost) != lost) {
-    ROS_WARN(
-        "Lines are lost before they come here: header.seq has gaps. %zu lost so far. Did this "
-        "node or its computer stall, or is the network too slow?",
-        lost);
-  }
-  if (std::exchange(reported_gaps_, gaps) != gaps) {
-    ROS_WARN(
-        "No lines for %.1f s in %zu gaps so far, by their stamps: the laser was silent, or "
-        "lines were lost.",
-        log.silent_s(), gaps);
   }
 }
 
