@@ -3,7 +3,6 @@
 #include "eval/experiment/self_closure.hpp"
 
 #include <algorithm>
-#include <cstdio>
 
 #include "modeler/program/stopwatch.hpp"
 
@@ -17,7 +16,6 @@ void SelfClosure::update() {
 
 std::vector<StampedPose> SelfClosure::finish(const sim::Tour& tour) {
   finish_s_ = cpu_seconds_of([&] { estimate_.finish(); });
-  for (const auto& d : estimate_.decisions()) std::fprintf(stderr, "RELOC %.1f %s %s\n", to_seconds(d.stamp), name_of(d.kind).c_str(), d.reason.c_str());
   const Pose T_map_odom =
       tour.true_T_map_base(Time(0)) * tour.T_odom_base(Time(0)).inverse(Eigen::Isometry);
   std::vector<StampedPose> poses = estimate_.trajectory();
@@ -38,7 +36,8 @@ EstimateSummary SelfClosure::summary(const std::vector<StampedPose>& estimate,
           updates_s_,
           longest_update_s_,
           finish_s_,
-          covariances_s_};
+          covariances_s_,
+          slam::texts_of(estimate_.decisions(), estimate.front().stamp)};
 }
 
 }  // namespace ribbon_mapper::eval

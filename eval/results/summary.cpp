@@ -154,7 +154,8 @@ Json to_json(const EstimateSummary& estimate) {
           {"heading_sigma_deg_median", estimate.precision.heading_deg_median},
           {"heading_sigma_deg_largest", estimate.precision.heading_deg_largest},
           {"nees", estimate.nees},
-          {"noise_scale", estimate.noise_scale}};
+          {"noise_scale", estimate.noise_scale},
+          {"decisions", estimate.decisions}};
 }
 
 std::string estimate_text(const EstimateSummary& estimate) {

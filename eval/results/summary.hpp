@@ -5,6 +5,7 @@
 #include <cstddef>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "eval/experiment/run_options.hpp"
 #include "eval/metrics/map_metrics.hpp"
@@ -28,6 +29,8 @@ struct EstimateSummary {
   double longest_update_s = 0.0;  ///< computing time of the line that took longest
   double finish_s = 0.0;          ///< computing time of the final adjustment
   double covariances_s = 0.0;     ///< computing time of the covariances
+  /// Where it was lost and found: for each decision its time, its name, and why.
+  std::vector<std::string> decisions;
 };
 
 /// Metrics and times of one run, whether in one process or over ROS.

@@ -19,9 +19,9 @@ struct SearchWindow {
 
 /// A pose that was found by a search.
 struct SearchResult {
-  PlanarPose T_map_base;      ///< the best one
-  double score = 0.0;         ///< share of the points that lie on the map, 0..1
-  double second_score = 0.0;  ///< of the best pose elsewhere, if it is near the best; else 0
+  PlanarPose T_map_base;         ///< the best one
+  double score = 0.0;            ///< share of the points that lie on the map, 0..1
+  double second_score = 0.0;     ///< of the best pose elsewhere, if it is near the best; else 0
   PlanarPose T_map_base_second;  ///< that pose
 };
 

@@ -7,7 +7,7 @@
 #include "modeler/modeler_config.hpp"
 #include "modeler/ros/intake/time_jump.hpp"
 #include "modeler/ros/node/intake_parameters.hpp"
-#include "slam/tilting/estimate_config.hpp"
+#include "slam/lines/estimate_config.hpp"
 
 namespace ribbon_mapper::slam {
 

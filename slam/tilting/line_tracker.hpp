@@ -4,7 +4,7 @@
 
 #include <optional>
 
-#include "slam/tilting/known_planes.hpp"
+#include "slam/lines/known_planes.hpp"
 
 namespace ribbon_mapper::slam {
 

@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-#include "slam/tilting/line_adjustment.hpp"
+#include "slam/lines/line_adjustment.hpp"
 
 namespace ribbon_mapper::slam {
 TrajectoryEstimate::TrajectoryEstimate(const Observations& observations,

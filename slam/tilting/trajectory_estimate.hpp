@@ -6,9 +6,9 @@
 #include <vector>
 
 #include "modeler/observations/observations.hpp"
+#include "slam/lines/noise_scale.hpp"
+#include "slam/places/relocaliser.hpp"
 #include "slam/tilting/line_tracker.hpp"
-#include "slam/tilting/noise_scale.hpp"
-#include "slam/tilting/relocaliser.hpp"
 
 namespace ribbon_mapper::slam {
 

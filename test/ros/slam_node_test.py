@@ -22,7 +22,7 @@ from plane_matching import compare
 from waiting import Latest, eventually, service
 
 NEAR_M = 0.1  # twice the largest error of docs/slam.md for this kind of room
-# Tracking leaves 5 cm at a drift of 3 (slam/tilting/estimate_config.hpp), here it is 6; and twice.
+# Tracking leaves 5 cm at a drift of 3 (slam/lines/estimate_config.hpp), here it is 6; and twice.
 TRACKED_M = 0.2
 
 

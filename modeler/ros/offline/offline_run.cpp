@@ -118,7 +118,8 @@ std::vector<StampedPose> finished(slam::TrajectoryEstimate& estimate, const Mode
   for (const Matrix6& covariance : estimate.covariances()) {
     run.covariances.push_back(in_other_axes(covariance, T_map_estimate.linear()));
   }
-  run.summary.estimate = {precision_of(run.covariances), estimate.noise_scale()};
+  run.summary.estimate = {precision_of(run.covariances), estimate.noise_scale(),
+                          slam::texts_of(estimate.decisions(), poses.front().stamp)};
   return poses;
 }
 

@@ -20,7 +20,8 @@ Json to_json(const std::optional<EstimateFigures>& estimate) {
           {"position_sigma_m_largest", estimate->precision.position_m_largest},
           {"heading_sigma_deg_median", estimate->precision.heading_deg_median},
           {"heading_sigma_deg_largest", estimate->precision.heading_deg_largest},
-          {"noise_scale", estimate->noise_scale}};
+          {"noise_scale", estimate->noise_scale},
+          {"decisions", estimate->decisions}};
 }
 
 }  // namespace

@@ -16,6 +16,8 @@ namespace ribbon_mapper {
 struct EstimateFigures {
   PosePrecision precision;   ///< as its covariances state it
   double noise_scale = 1.0;  ///< learnt for the odometry, as a multiple of gmapping's
+  /// Where it was lost and found: for each decision its time, its name, and why.
+  std::vector<std::string> decisions;
 };
 
 /// Summary of modelling a recording.

@@ -1,9 +1,11 @@
 // SPDX-FileCopyrightText: 2026 ribbon_mapper authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "slam/tilting/seam.hpp"
+#include "slam/places/seam.hpp"
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
+#include <vector>
 
 #include "modeler/registration/odometry_noise.hpp"
 
@@ -65,6 +67,28 @@ std::uint32_t end_of_fitting(const PosedLines& lines, const LineRange& range,
                              const KnownScene& scene, const AssociationGates& gates) {
   const std::vector<double> here = gains(lines, range, Pose::Identity(), scene, gates);
   return range.first + length_of_best_start(here.begin(), here.end());
+}
+
+std::uint32_t last_seen(const PosedLines& lines, const LineRange& range, const Pose& T_start_start,
+                        const KnownScene& scene, const AssociationGates& gates) {
+  std::vector<std::pair<std::uint32_t, double>> seen;  // line and length
+  double total = 0.0;
+  for (std::uint32_t i = lines.first_ribbon(range.first); i < lines.first_ribbon(range.end); ++i) {
+    const PosedRibbon ribbon(lines.ribbon(i),
+                             T_start_start * lines.T_start_base(lines.ribbon(i).pose));
+    if (!is_of_wall(ribbon.normal)) continue;
+    const KnownScene::Wall* wall = scene.wall_of(ribbon, gates);
+    if (wall == nullptr) continue;
+    seen.emplace_back(wall->last_line, ribbon.ribbon->length_m);
+    total += ribbon.ribbon->length_m;
+  }
+  std::sort(seen.begin(), seen.end());
+  double sum = 0.0;
+  for (const auto& [line, length] : seen) {
+    sum += length;
+    if (sum >= 0.75 * total) return line;
+  }
+  return range.first;
 }
 
 void move_behind(const Seam& seam, const Pose& T_start_start, PosedLines& lines) {

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 ribbon_mapper authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "slam/tilting/posed_lines.hpp"
+#include "slam/lines/posed_lines.hpp"
 
 #include <algorithm>
 

@@ -8,8 +8,8 @@
 
 #include "modeler/association/plane_map.hpp"
 #include "modeler/registration/plane_landmarks.hpp"
-#include "slam/tilting/estimate_config.hpp"
-#include "slam/tilting/posed_lines.hpp"
+#include "slam/lines/estimate_config.hpp"
+#include "slam/lines/posed_lines.hpp"
 
 namespace ribbon_mapper::slam {
 

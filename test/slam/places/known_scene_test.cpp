@@ -1,13 +1,13 @@
 // SPDX-FileCopyrightText: 2026 ribbon_mapper authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "slam/tilting/known_scene.hpp"
+#include "slam/places/known_scene.hpp"
 
 #include <gtest/gtest.h>
 
 #include <numeric>
 
-#include "slam/tilting/history_cost.hpp"
-#include "slam/tilting/seam.hpp"
+#include "slam/places/history_cost.hpp"
+#include "slam/places/seam.hpp"
 #include "test/modeler/mini_world.hpp"
 
 namespace ribbon_mapper::slam {

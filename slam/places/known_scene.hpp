@@ -9,8 +9,8 @@
 #include <vector>
 
 #include "modeler/geometry/voxel_key.hpp"
+#include "slam/lines/known_planes.hpp"
 #include "slam/matching/level_scan.hpp"
-#include "slam/tilting/known_planes.hpp"
 
 namespace ribbon_mapper::slam {
 

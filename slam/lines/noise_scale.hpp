@@ -3,7 +3,7 @@
 #pragma once
 
 #include "modeler/registration/odometry_noise.hpp"
-#include "slam/tilting/posed_lines.hpp"
+#include "slam/lines/posed_lines.hpp"
 
 namespace ribbon_mapper::slam {
 

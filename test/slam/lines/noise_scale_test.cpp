@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 ribbon_mapper authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "slam/tilting/noise_scale.hpp"
+#include "slam/lines/noise_scale.hpp"
 
 #include <gtest/gtest.h>
 

@@ -5,9 +5,9 @@
 #include <cstdint>
 #include <vector>
 
+#include "slam/lines/context.hpp"
 #include "slam/matching/planar_pose.hpp"
-#include "slam/tilting/context.hpp"
-#include "slam/tilting/known_scene.hpp"
+#include "slam/places/known_scene.hpp"
 
 namespace ribbon_mapper::slam {
 

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 ribbon_mapper authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "slam/tilting/relocaliser.hpp"
+#include "slam/places/relocaliser.hpp"
 
 #include <gtest/gtest.h>
 

@@ -5,7 +5,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "slam/tilting/known_planes.hpp"
+#include "slam/lines/known_planes.hpp"
 
 namespace ribbon_mapper::slam {
 

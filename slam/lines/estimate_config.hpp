@@ -8,7 +8,7 @@
 #include "modeler/modeler_config.hpp"
 #include "modeler/registration/plane_observation.hpp"
 #include "modeler/registration/registration_config.hpp"
-#include "slam/tilting/relocaliser_config.hpp"
+#include "slam/lines/relocaliser_config.hpp"
 
 namespace ribbon_mapper::slam {
 

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
 #include "modeler/geometry/time.hpp"
 
@@ -24,5 +25,8 @@ struct Decision {
 
 /// Returns the name of a kind as it stands in files and on /diagnostics.
 std::string name_of(Decision::Kind kind);
+
+/// Returns each decision as a text: the time since `start`, its name, and why.
+std::vector<std::string> texts_of(const std::vector<Decision>& decisions, Time start);
 
 }  // namespace ribbon_mapper::slam

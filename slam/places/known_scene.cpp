@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 ribbon_mapper authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "slam/tilting/known_scene.hpp"
+#include "slam/places/known_scene.hpp"
 
 #include <algorithm>
 #include <cmath>

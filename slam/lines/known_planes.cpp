@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 ribbon_mapper authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "slam/tilting/known_planes.hpp"
+#include "slam/lines/known_planes.hpp"
 
 namespace ribbon_mapper::slam {
 

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "slam/tilting/place_search.hpp"
+#include "slam/places/place_search.hpp"
 
 namespace ribbon_mapper::slam {
 
@@ -21,6 +21,11 @@ Seam seam_of(const PosedLines& lines, const LineRange& range, const Pose& T_star
 /// are to fit as well.
 std::uint32_t end_of_fitting(const PosedLines& lines, const LineRange& range,
                              const KnownScene& scene, const AssociationGates& gates);
+
+/// Returns the line at which the known walls that moved lines see were in sight for the last time:
+/// a quarter of them, by length, until then or later.
+std::uint32_t last_seen(const PosedLines& lines, const LineRange& range, const Pose& T_start_start,
+                        const KnownScene& scene, const AssociationGates& gates);
 
 /// Moves the lines behind a seam, and those in it by a part that grows from line to line.
 void move_behind(const Seam& seam, const Pose& T_start_start, PosedLines& lines);

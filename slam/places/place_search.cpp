@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 ribbon_mapper authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "slam/tilting/place_search.hpp"
+#include "slam/places/place_search.hpp"
 
 #include <algorithm>
 #include <cmath>

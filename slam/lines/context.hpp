@@ -5,8 +5,8 @@
 #include <cstdint>
 #include <vector>
 
-#include "slam/tilting/estimate_config.hpp"
-#include "slam/tilting/posed_lines.hpp"
+#include "slam/lines/estimate_config.hpp"
+#include "slam/lines/posed_lines.hpp"
 
 namespace ribbon_mapper::slam {
 

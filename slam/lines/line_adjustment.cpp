@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 ribbon_mapper authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "slam/tilting/line_adjustment.hpp"
+#include "slam/lines/line_adjustment.hpp"
 
 #include <algorithm>
 #include <limits>

@@ -1,0 +1,178 @@
+// SPDX-FileCopyrightText: 2026 ribbon_mapper authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "slam/places/move_finder.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <iomanip>
+#include <sstream>
+
+#include "modeler/geometry/angles.hpp"
+
+namespace ribbon_mapper::slam {
+namespace {
+
+constexpr std::size_t kMostBreaks = 3;  // each costs a search
+constexpr double kSameScene_m = 2.0;    // a quarter of the context's radius
+constexpr double kNothing = 0.1;        // share of known walls that may be chance
+
+int percent(double share) { return static_cast<int>(std::lround(100.0 * share)); }
+
+std::string text_of(const Agreement& agreement) {
+  std::ostringstream text;
+  text << percent(agreement.known()) << " % of the walls in view are known, "
+       << percent(agreement.pierced()) << " % are seen through known ones";
+  return text.str();
+}
+
+std::string text_of(const PlaceMove& move) {
+  std::ostringstream text;
+  text << std::fixed << std::setprecision(2) << "a move of " << move.at_robot.translation().norm()
+       << " m and " << std::setprecision(1) << to_degrees(move.at_robot.yaw_rad) << " degrees";
+  return text.str();
+}
+
+/// Returns the lines from `first` on within a time, and before `end`.
+LineRange lines_within(double seconds, const PosedLines& lines, std::uint32_t first,
+                       std::uint32_t end) {
+  LineRange range{first, first};
+  while (range.end < end && lines.seconds_between(first, range.end) < seconds) ++range.end;
+  return range;
+}
+
+}  // namespace
+
+Agreement MoveFinder::agreement(const PosedLines& lines, const LineRange& range,
+                                const Pose& T_start_start, const KnownScene& scene) const {
+  return agreement_of(lines, range, T_start_start, scene, settings_.estimate.gates.front());
+}
+
+Finding MoveFinder::find(const PosedLines& lines, double tracked_share) {
+  finding_ = {};
+  const LineRange newest{first_within(lines, settings_.estimate.relocaliser.query_s), lines.size()};
+  if (newest.first < 2) return finding_;
+  look_at_recent(lines, newest, tracked_share);
+  for (std::size_t i = breaks_.size(); i-- > 0;) {
+    if (!search_before(breaks_[i], lines, newest)) continue;
+    breaks_.resize(i);  // later ones lie on ground that is right as well
+    break;
+  }
+  return finding_;
+}
+
+/// Compares the newest lines with all older ones if they show unknown walls. Opens a break there.
+void MoveFinder::look_at_recent(const PosedLines& lines, const LineRange& newest,
+                                double tracked_share) {
+  const RelocaliserConfig& config = settings_.estimate.relocaliser;
+  const Time now = lines.stamp(lines.size() - 1);
+  if (tracked_share < config.known_share) doubted_until_ = now + from_seconds(config.query_s);
+  if (now >= doubted_until_) {
+    if (!breaks_.empty()) breaks_.back().is_settled = true;
+    return;
+  }
+  const KnownScene scene(lines, context_of(lines, newest, newest.first, settings_.estimate),
+                         settings_);
+  open_break(newest, agreement(lines, newest, Pose::Identity(), scene));
+  if (!breaks_.empty() && breaks_.back().line < newest.first) {
+    ask({newest, newest.first}, lines, scene);
+  }
+}
+
+/// Opens a break where known ground ends, by what older lines know of the newest ones.
+void MoveFinder::open_break(const LineRange& newest, const Agreement& now) {
+  const bool is_known = is_known_ground(now, settings_.estimate.relocaliser);
+  if (is_known && !breaks_.empty()) breaks_.back().is_settled = true;
+  if (is_known || (!breaks_.empty() && !breaks_.back().is_settled)) return;
+  if (breaks_.size() == kMostBreaks) breaks_.erase(breaks_.begin());
+  breaks_.emplace_back().line = newest.first;
+}
+
+/// Returns what was known before a break near the newest line.
+const KnownScene& MoveFinder::scene_before(Break& torn, const PosedLines& lines) const {
+  const EstimateConfig& config = settings_.estimate;
+  const std::uint32_t last = lines.size() - 1;
+  const Eigen::Vector3d here = lines.T_start_base(last).translation();
+  // Poses hardly change any more when they have left the window.
+  const bool is_final = lines.seconds_between(torn.line, last) > 2.0 * config.window_s;
+  if (!is_final || !torn.scene || (here - torn.centre).norm() > kSameScene_m) {
+    torn.scene.emplace(lines, context_of(lines, {last, lines.size()}, torn.line, config),
+                       settings_);
+    torn.centre = here;
+  }
+  return *torn.scene;
+}
+
+/// Searches for lines behind a break on what was known before it. Returns true if the break is to
+/// be closed.
+bool MoveFinder::search_before(Break& torn, const PosedLines& lines, const LineRange& newest) {
+  const RelocaliserConfig& config = settings_.estimate.relocaliser;
+  const LineRange range{std::max(newest.first, torn.line), newest.end};
+  const KnownScene& scene = scene_before(torn, lines);
+  const Agreement now = agreement(lines, range, Pose::Identity(), scene);
+  if (now.known() < kNothing) torn.is_left = true;
+  const bool is_back =
+      torn.is_left && now.known() >= config.least_known && now.pierced() < config.pierced_share;
+  if (is_back || is_known_ground(now, config)) return true;
+  ask({range, torn.line}, lines, scene);
+  if (const auto behind = range_behind(torn, lines, scene)) ask({*behind, torn.line}, lines, scene);
+  return false;
+}
+
+/// Returns the lines just behind a break, which have seen most of what was known before it; nothing
+/// if they are too few yet, or were asked for before.
+std::optional<LineRange> MoveFinder::range_behind(const Break& torn, const PosedLines& lines,
+                                                  const KnownScene& scene) const {
+  const EstimateConfig& config = settings_.estimate;
+  const LineRange around = lines_within(config.window_s, lines, torn.line, lines.size());
+  const std::uint32_t first = end_of_fitting(lines, around, scene, config.gates.front());
+  const LineRange behind =
+      lines_within(0.5 * config.relocaliser.query_s, lines, first, lines.size());
+  if (behind.end >= lines.size()) return std::nullopt;
+  if (lines.seconds_between(first, lines.size() - 1) >= config.window_s) return std::nullopt;
+  return behind;
+}
+
+/// Asks whether lines fit a scene better if they are moved.
+void MoveFinder::ask(const Question& question, const PosedLines& lines, const KnownScene& scene) {
+  const RelocaliserConfig& config = settings_.estimate.relocaliser;
+  const Agreement now = agreement(lines, question.range, Pose::Identity(), scene);
+  if (is_known_ground(now, config)) return;
+  const bool is_contradicted = now.pierced() >= config.pierced_share && now.known() < 0.5;
+  if (question.range.end == lines.size() && is_contradicted) finding_.doubt = text_of(now);
+  const std::vector<PlaceMove> moves = find_moves(lines, question.range, scene, settings_.estimate);
+  if (!moves.empty()) judge(question, moves, now, lines, scene);
+}
+
+void MoveFinder::judge(const Question& question, const std::vector<PlaceMove>& moves,
+                       const Agreement& now, const PosedLines& lines, const KnownScene& scene) {
+  const RelocaliserConfig& config = settings_.estimate.relocaliser;
+  const AssociationGates& gates = settings_.estimate.gates.front();
+  const PlaceMove& move = moves.front();
+  const Agreement& moved = move.agreement;
+  const double gain_m = moved.evidence_m() - now.evidence_m();
+  const auto is_clear_gain = [&](const Agreement& before, const Agreement& after) {
+    return after.known() >= config.least_known &&
+           after.evidence_m() - before.evidence_m() >= config.least_gain * after.seen_m;
+  };
+  if (!is_clear_gain(now, moved)) return;
+  if (moved.pierced() > std::max(config.pierced_share, now.pierced())) return;
+  const Seam seam =
+      seam_of(lines, {question.torn_from, question.range.end}, move.T_start_start, scene, gates);
+  const LineRange behind = lines_within(0.5 * config.query_s, lines, seam.end, question.range.end);
+  if (behind.first == behind.end ||
+      !is_clear_gain(agreement(lines, behind, Pose::Identity(), scene),
+                     agreement(lines, behind, move.T_start_start, scene))) {
+    return;  // it is no tear: the lines behind it fit where they are
+  }
+  finding_.doubt = text_of(now) + "; after " + text_of(move) + ", " + text_of(moved);
+  if (moves.size() > 1) {
+    finding_.doubt += "; another move fits nearly as well";
+    return;
+  }
+  if (finding_.move && finding_.move->gain_m >= gain_m) return;
+  finding_.move = FoundMove{move.T_start_start, seam,
+                            last_seen(lines, question.range, move.T_start_start, scene, gates),
+                            gain_m, finding_.doubt};
+}
+
+}  // namespace ribbon_mapper::slam

@@ -1,0 +1,80 @@
+// SPDX-FileCopyrightText: 2026 ribbon_mapper authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "slam/places/seam.hpp"
+
+namespace ribbon_mapper::slam {
+
+/// A move of the newest lines that explains clearly more of what they see.
+struct FoundMove {
+  Pose T_start_start;       ///< of the lines behind the seam
+  Seam seam;                ///< where lines cease to fit unmoved
+  std::uint32_t last_seen;  ///< line that saw the known walls for the last time
+  double gain_m;            ///< length of ribbons that it makes known
+  std::string evidence;     ///< the figures
+};
+
+/// What a look at the newest lines has shown.
+struct Finding {
+  std::optional<FoundMove> move;  ///< the best one, if it is clear
+  std::string doubt;              ///< why the robot may be lost; empty if nothing says so
+};
+
+/// Finds out whether the newest lines see known ground at a wrong pose.
+///
+/// Their walls are compared with those that older lines know. Where the known ones end, a *break*
+/// begins: the robot is on new ground, or its odometry has failed. As long as a break is open, each
+/// call searches for a move of the newest lines onto what was known before the break. A break is
+/// closed when what was known before it is seen again where it is expected.
+class MoveFinder {
+ public:
+  /// Starts on known ground.
+  explicit MoveFinder(const EstimateSettings& settings) : settings_(settings) {}
+
+  /// Looks at the newest lines. `tracked_share` of the walls in view was known since the last call,
+  /// see LineTracker::known_share().
+  Finding find(const PosedLines& lines, double tracked_share);
+
+  /// Closes all breaks: after a move, or when lines are gone.
+  void forget_breaks() { breaks_.clear(); }
+
+ private:
+  /// Where known ground ended.
+  struct Break {
+    std::uint32_t line = 0;           // the first one that may be beyond
+    bool is_settled = false;          // what lies beyond is known by itself
+    bool is_left = false;             // nothing of what was known before is in view
+    std::optional<KnownScene> scene;  // what was known before, near `centre`
+    Eigen::Vector3d centre = Eigen::Vector3d::Zero();
+  };
+  /// Some lines, and what they are compared with: older lines than `torn_from`.
+  struct Question {
+    LineRange range;
+    std::uint32_t torn_from;
+  };
+
+  void look_at_recent(const PosedLines& lines, const LineRange& newest, double tracked_share);
+  void open_break(const LineRange& newest, const Agreement& now);
+  const KnownScene& scene_before(Break& torn, const PosedLines& lines) const;
+  bool search_before(Break& torn, const PosedLines& lines, const LineRange& newest);
+  std::optional<LineRange> range_behind(const Break& torn, const PosedLines& lines,
+                                        const KnownScene& scene) const;
+  Agreement agreement(const PosedLines& lines, const LineRange& range, const Pose& T_start_start,
+                      const KnownScene& scene) const;
+  void ask(const Question& question, const PosedLines& lines, const KnownScene& scene);
+  void judge(const Question& question, const std::vector<PlaceMove>& moves, const Agreement& now,
+             const PosedLines& lines, const KnownScene& scene);
+
+  EstimateSettings settings_;
+  std::vector<Break> breaks_;  // open ones, in their order
+  Time doubted_until_{0};
+  Finding finding_;  // of a call
+};
+
+}  // namespace ribbon_mapper::slam

@@ -1,0 +1,118 @@
+// SPDX-FileCopyrightText: 2026 ribbon_mapper authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "slam/places/relocaliser.hpp"
+
+#include <algorithm>
+#include <sstream>
+
+#include "slam/lines/line_adjustment.hpp"
+
+namespace ribbon_mapper::slam {
+namespace {
+
+constexpr double kShortSeam_s = 3.0;  // longer than a slip or a push
+
+std::string text_of(const HistoryCost& before, const HistoryCost& after) {
+  std::ostringstream text;
+  text << after.planes << " planes and " << after.unexplained
+       << " single ribbons explain what took " << before.planes << " and " << before.unexplained;
+  return text.str();
+}
+
+}  // namespace
+
+void Relocaliser::forget_lines() {
+  finder_.forget_breaks();
+  way_back_.reset();
+}
+
+void Relocaliser::decide(Decision::Kind kind, const PosedLines& lines, const std::string& reason) {
+  is_lost_ = kind == Decision::Kind::lost;
+  decisions_.push_back({kind, lines.stamp(lines.size() - 1), reason});
+}
+
+bool Relocaliser::look(PosedLines& lines, double tracked_share, const OdometryNoise& noise) {
+  if (way_back_ && lines.stamp(lines.size() - 1) > way_back_until_) way_back_.reset();
+  const Finding finding = finder_.find(lines, tracked_share);
+  if (choose(finding, lines, noise)) return true;
+  // A move that was not made does not explain more in the end.
+  const bool is_doubted =
+      !finding.doubt.empty() && !(finding.move && finding.doubt == finding.move->evidence);
+  if (is_doubted && !is_lost_) decide(Decision::Kind::lost, lines, finding.doubt);
+  if (!is_doubted && is_lost_) {
+    decide(Decision::Kind::kept, lines, "nothing contradicts that this is new ground");
+  }
+  return false;
+}
+
+/// Returns the histories that may explain what was found, and the one without the last move.
+std::vector<Relocaliser::Candidate> Relocaliser::candidates(const Finding& finding,
+                                                            const PosedLines& lines,
+                                                            const OdometryNoise& noise) const {
+  std::vector<Candidate> candidates;
+  if (way_back_ && !finding.doubt.empty()) candidates.push_back(*way_back_);
+  if (!finding.move) return candidates;
+  const Pose& T = finding.move->T_start_start;
+  const Seam& seam = finding.move->seam;
+  if (lines.seconds_between(seam.first, seam.end) < kShortSeam_s) {
+    candidates.push_back({T, seam, true, Decision::Kind::found});
+    return candidates;
+  }
+  // What was seen in the meantime belongs to what was seen before, to what is seen now, or to both.
+  candidates.push_back({T, {seam.end, seam.end}, true, Decision::Kind::found});
+  candidates.push_back({T, {seam.first, seam.first}, true, Decision::Kind::found});
+  const Seam way{std::max<std::uint32_t>(1, finding.move->last_seen), seam.end};
+  const double max_scale = settings_.estimate.relocaliser.drift_sigmas * noise.planar_scale;
+  if (way.first < way.end && scale_of(way, T, lines) < max_scale) {
+    candidates.push_back({T, way, false, Decision::Kind::found});
+  }
+  return candidates;
+}
+
+/// Returns the lines moved and adjusted.
+PosedLines Relocaliser::history_with(const Candidate& candidate, const PosedLines& lines,
+                                     const OdometryNoise& noise) const {
+  PosedLines history = lines;
+  const Seam& seam = candidate.seam;
+  move_behind(seam, candidate.T_start_start, history);
+  for (std::uint32_t i = seam.first; i <= seam.end; ++i) history.set_slip(i, candidate.is_slip);
+  const EstimateConfig& config = settings_.estimate;
+  const std::uint32_t first = std::min(seam.first, first_within(history, config.window_s));
+  const LineRange range{first, history.size()};
+  adjust_lines(history, {first, range.end, context_of(history, range, first, config)}, noise,
+               settings_);
+  return history;
+}
+
+/// Makes the move of least cost. Returns false if none costs less than no move.
+bool Relocaliser::choose(const Finding& finding, PosedLines& lines, const OdometryNoise& noise) {
+  const std::vector<Candidate> histories = candidates(finding, lines, noise);
+  if (histories.empty()) return false;
+  const EstimateConfig& config = settings_.estimate;
+  const std::vector<std::uint32_t> compared = context_of(
+      lines, {first_within(lines, config.relocaliser.query_s), lines.size()}, lines.size(), config);
+  const HistoryCost before = history_cost(lines, compared, settings_);
+  double least = before.total - settings_.registration.min_ribbons;  // one plane less
+  std::optional<PosedLines> best;
+  const Candidate* chosen = nullptr;
+  std::string figures;
+  for (const Candidate& candidate : histories) {
+    PosedLines history = history_with(candidate, lines, noise);
+    const HistoryCost after = history_cost(history, compared, settings_);
+    if (after.total >= least) continue;
+    least = after.total, best = std::move(history), chosen = &candidate;
+    figures = text_of(before, after);
+  }
+  if (chosen == nullptr) return false;
+  lines = std::move(*best);
+  decide(chosen->kind, lines, finding.doubt + "; " + figures);
+  finder_.forget_breaks();
+  way_back_.reset();
+  if (chosen->kind == Decision::Kind::undone) return true;
+  way_back_ = Candidate{chosen->T_start_start.inverse(Eigen::Isometry), chosen->seam, false,
+                        Decision::Kind::undone};
+  way_back_until_ = lines.stamp(lines.size() - 1) + from_seconds(config.relocaliser.probation_s);
+  return true;
+}
+
+}  // namespace ribbon_mapper::slam

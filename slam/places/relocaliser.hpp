@@ -1,0 +1,63 @@
+// SPDX-FileCopyrightText: 2026 ribbon_mapper authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "slam/places/decision.hpp"
+#include "slam/places/history_cost.hpp"
+#include "slam/places/move_finder.hpp"
+
+namespace ribbon_mapper::slam {
+
+/// Moves the newest poses onto what older lines have seen, if the robot is on known ground at a
+/// wrong pose.
+///
+/// A move may have been made by a slip at one moment, or by drift since the place was seen for the
+/// last time. Each is tried, and the history of least cost is kept, see HistoryCost: with none of
+/// the moves if they save less than a plane. A move is taken back if the history without it costs
+/// less later.
+class Relocaliser {
+ public:
+  /// Starts on known ground.
+  explicit Relocaliser(const EstimateSettings& settings) : settings_(settings), finder_(settings) {}
+
+  /// Looks at the newest lines, whose poses are adjusted. `tracked_share` of the walls in view was
+  /// known since the last call, see LineTracker::known_share(). Returns true if poses were moved.
+  bool look(PosedLines& lines, double tracked_share, const OdometryNoise& noise);
+
+  /// Follows lines that were thinned since: forgets what it knew of them.
+  void forget_lines();
+
+  /// Returns true while the robot may be on known ground at a wrong pose.
+  bool is_lost() const { return is_lost_; }
+  /// Returns all decisions, in their order.
+  const std::vector<Decision>& decisions() const { return decisions_; }
+
+ private:
+  /// A history in which lines are moved.
+  struct Candidate {
+    Pose T_start_start;   // of the lines behind the seam
+    Seam seam;            // before it, lines stay; in it, they are moved in part
+    bool is_slip;         // the odometry has failed within the seam
+    Decision::Kind kind;  // if it is chosen
+  };
+  std::vector<Candidate> candidates(const Finding& finding, const PosedLines& lines,
+                                    const OdometryNoise& noise) const;
+  PosedLines history_with(const Candidate& candidate, const PosedLines& lines,
+                          const OdometryNoise& noise) const;
+  bool choose(const Finding& finding, PosedLines& lines, const OdometryNoise& noise);
+  void decide(Decision::Kind kind, const PosedLines& lines, const std::string& reason);
+
+  EstimateSettings settings_;
+  MoveFinder finder_;
+  std::optional<Candidate> way_back_;  // what takes the last move back
+  Time way_back_until_{0};
+  bool is_lost_ = false;
+  std::vector<Decision> decisions_;
+};
+
+}  // namespace ribbon_mapper::slam
