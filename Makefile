@@ -59,14 +59,14 @@ sanitize: ## all tests without a ROS master under AddressSanitizer and UBSan, in
 	cmake --build build/sanitize -j $(JOBS)
 	$(SANITIZER_OPTIONS) ctest --test-dir build/sanitize -E '$(WITHOUT)' --output-on-failure
 
-# Series of runs and the laser have threads.
+# Series of runs, the laser and the node slam have threads.
 tsan: GROUP = test
 tsan: ## what has threads under ThreadSanitizer, in build/tsan
 	./install_dependencies $(GROUP)
 	cmake -S . -B build/tsan -DCMAKE_BUILD_TYPE=Debug -DRIBBON_MAPPER_SANITIZE=thread $(PYTHON)
-	cmake --build build/tsan -j $(JOBS) --target eval_test sim_test experiment
+	cmake --build build/tsan -j $(JOBS) --target eval_test live_slam_test sim_test experiment
 	$(SANITIZER_OPTIONS) ctest --test-dir build/tsan --output-on-failure \
-	  -R '^(eval_test|sim_test|series_command_test|sweep_command_test)$$'
+	  -R '^(eval_test|live_slam_test|sim_test|series_command_test|sweep_command_test)$$'
 
 clean: ## forget everything that was built
 	rm -rf build devel

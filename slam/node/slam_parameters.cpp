@@ -40,6 +40,11 @@ SlamParameters SlamParameters::read() {
   p.map_frame = frames.map;
   frames.map = frames.odom;
   p.config = load_config(p.lines.config_file);
+  if (p.publish_tf && !p.config.trajectory.poses_follow) {
+    throw std::invalid_argument("trajectory.poses_follow is false in " + p.lines.config_file +
+                                ", but map -> odom of this node follows its corrections: set it "
+                                "to true for the modeler, or publish_tf to false");
+  }
   return p;
 }
 

@@ -74,6 +74,8 @@ class Refusal(unittest.TestCase):
         self.refuse('slam', [PR2, '_first_noise_scale:=much'], 'must be a number')
         self.refuse('slam', [PR2, '_publish_tf:=7'], '/publish_tf', 'must be true or false')
         self.refuse('slam', [PR2, '_on_time_jump:=wait'], 'on_time_jump', 'reset, stop and continue')
+        self.refuse('slam', ['_config:=' + PACKAGE + '/config/simulation.yaml'],
+                    'trajectory.poses_follow is false', 'publish_tf')
         self.refuse('slam', [PR2, '_map_frame:=odom', '_odom_frame:=odom'], 'are both')
 
     def test_unknown_or_bad_parameters_of_the_correction(self):
