@@ -30,7 +30,7 @@ struct RelocaliserConfig {
   double least_score = 0.3;   ///< of a move: share of the points on known walls, in the plan
   double second_share = 0.9;  ///< a move is not clear if another one scores so much of it
   double least_known = 0.3;   ///< share that a move must make known,
-  double least_gain = 0.2;    ///< and by how much more than is known without it
+  double least_gain = 0.1;    ///< and by how much more than is known without it
 
   /// Time in which a move may turn out wrong [s]: by then the robot has seen a room.
   double probation_s = 60.0;

@@ -105,10 +105,11 @@ bool Relocaliser::choose(const Finding& finding, PosedLines& lines, const Odomet
   }
   if (chosen == nullptr) return false;
   lines = std::move(*best);
-  decide(chosen->kind, lines, finding.doubt + "; " + figures);
+  const bool is_found = chosen->kind == Decision::Kind::found;
+  decide(chosen->kind, lines, (is_found ? finding.move->evidence : finding.doubt) + "; " + figures);
   finder_.forget_breaks();
   way_back_.reset();
-  if (chosen->kind == Decision::Kind::undone) return true;
+  if (!is_found) return true;
   way_back_ = Candidate{chosen->T_start_start.inverse(Eigen::Isometry), chosen->seam, false,
                         Decision::Kind::undone};
   way_back_until_ = lines.stamp(lines.size() - 1) + from_seconds(config.relocaliser.probation_s);
