@@ -53,5 +53,33 @@ TEST(PosedLines, KeepTheirPosesWhenObservationsAreThinned) {
   EXPECT_FALSE(lines.keep_in_step());
 }
 
+TEST(PosedLines, KeepTheStepThatHoldsASlipWhenObservationsAreThinned) {
+  for (const std::uint32_t slip : {1U, 2U, 3U, 4U, 5U}) {
+    Observations observations({});
+    for (int line = 0; line < 6; ++line) add_line(observations, line % 2 == 0 ? 1 : 4);
+    PosedLines lines(observations);
+    while (lines.has_next()) lines.add_next();
+    lines.set_slip(slip, true);
+    lines.keep_in_step();
+    observations.thin(5);
+    ASSERT_TRUE(lines.keep_in_step());
+    std::int64_t before = 0;  // number that the line before had
+    for (std::uint32_t i = 0; i < lines.size(); ++i) {
+      const std::int64_t number = lines.stamp(i).count() / 1'000'000;
+      EXPECT_EQ(lines.is_slip(i), before < slip && slip <= number) << slip << " at " << number;
+      before = number;
+    }
+  }
+}
+
+TEST(PosedLines, ForgetASlipThatIsTakenBack) {
+  Observations observations({});
+  PosedLines lines(observations);
+  lines.set_slip(7, true);
+  EXPECT_TRUE(lines.is_slip(7));
+  lines.set_slip(7, false);
+  EXPECT_FALSE(lines.is_slip(7));
+}
+
 }  // namespace
 }  // namespace ribbon_mapper::slam

@@ -104,6 +104,15 @@ TEST(Relocaliser, SaysAtWhichLineAndWhyItMoved) {
   EXPECT_NE(found.reason.find("degrees"), std::string::npos) << found.reason;
 }
 
+TEST(Decision, IsATextWithItsTimeNameAndReason) {
+  const std::vector<Decision> decisions{{Decision::Kind::lost, from_seconds(7.2), "why"},
+                                        {Decision::Kind::undone, from_seconds(9.0), "therefore"}};
+  const std::vector<std::string> texts = texts_of(decisions, from_seconds(2.0));
+  ASSERT_EQ(texts.size(), 2U);
+  EXPECT_EQ(texts[0], "5.2 s lost: why");
+  EXPECT_EQ(texts[1], "7.0 s undone: therefore");
+}
+
 TEST(Relocaliser, DecidesNothingWhereNothingSlips) {
   const Estimated run(lines_with(mini_world::no_drift));
   EXPECT_TRUE(run.estimate.decisions().empty());
