@@ -6,9 +6,9 @@ namespace ribbon_mapper::slam {
 
 /// Settings for noticing a robot that is lost, and for finding it.
 ///
-/// Shares are those of the length of ribbons on walls. In ten simulated worlds, 0.95 to 1 of what
-/// was in view for six seconds was known on known ground, and at most 0.02 was seen through it.
-/// After a slip of 20 degrees these were 0 and 0.2.
+/// Shares are those of the length of ribbons on walls. In the simulated apartment, 0.92 to 0.99 of
+/// what was in view for six seconds was known on known ground, and at most 0.02 was seen through
+/// it. Six seconds after a slip of 20 degrees, these were 0.00 and 0.18.
 struct RelocaliserConfig {
   /// Time of the newest lines that are looked for [s]: two steps of the window. The second window
   /// after a slip then holds no line from before it, and two sweeps of the laser.
@@ -27,10 +27,11 @@ struct RelocaliserConfig {
   /// other gates.
   double drift_sigmas = 3.0;
 
-  double least_score = 0.3;   ///< of a move: share of the points on known walls, in the plan
+  // Moves below these are not tried. Lower values cost time: the cost of the histories decides.
+  double least_score = 0.3;   ///< share of the points on known walls, in the plan
+  double least_known = 0.3;   ///< share of what is in view that a move makes known
+  double least_gain = 0.1;    ///< the same, less what is known without the move
   double second_share = 0.9;  ///< a move is not clear if another one scores so much of it
-  double least_known = 0.3;   ///< share that a move must make known,
-  double least_gain = 0.1;    ///< and by how much more than is known without it
 
   /// Time in which a move may turn out wrong [s]: by then the robot has seen a room.
   double probation_s = 60.0;
