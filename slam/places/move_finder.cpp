@@ -72,9 +72,10 @@ void MoveFinder::look_at_recent(const PosedLines& lines, const LineRange& newest
   }
   const KnownScene scene(lines, context_of(lines, newest, newest.first, settings_.estimate),
                          settings_);
-  open_break(newest, agreement(lines, newest, Pose::Identity(), scene));
+  const Agreement unmoved = agreement(lines, newest, Pose::Identity(), scene);
+  open_break(newest, unmoved);
   if (!breaks_.empty() && breaks_.back().line < newest.first) {
-    ask({newest, newest.first}, lines, scene);
+    ask({newest, newest.first, unmoved}, lines, scene);
   }
 }
 
@@ -113,8 +114,10 @@ bool MoveFinder::search_before(Break& torn, const PosedLines& lines, const LineR
   const bool is_back =
       torn.is_left && now.known() >= config.least_known && now.pierced() < config.pierced_share;
   if (is_back || is_known_ground(now, config)) return true;
-  ask({range, torn.line}, lines, scene);
-  if (const auto behind = range_behind(torn, lines, scene)) ask({*behind, torn.line}, lines, scene);
+  ask({range, torn.line, now}, lines, scene);
+  if (const auto behind = range_behind(torn, lines, scene)) {
+    ask({*behind, torn.line, agreement(lines, *behind, Pose::Identity(), scene)}, lines, scene);
+  }
   return false;
 }
 
@@ -123,6 +126,9 @@ bool MoveFinder::search_before(Break& torn, const PosedLines& lines, const LineR
 std::optional<LineRange> MoveFinder::range_behind(const Break& torn, const PosedLines& lines,
                                                   const KnownScene& scene) const {
   const EstimateConfig& config = settings_.estimate;
+  if (lines.seconds_between(torn.line, lines.size() - 1) >= 2.0 * config.window_s) {
+    return std::nullopt;
+  }
   const LineRange around = lines_within(config.window_s, lines, torn.line, lines.size());
   const std::uint32_t first = end_of_fitting(lines, around, scene, config.gates.front());
   const LineRange behind =
@@ -135,16 +141,17 @@ std::optional<LineRange> MoveFinder::range_behind(const Break& torn, const Posed
 /// Asks whether lines fit a scene better if they are moved.
 void MoveFinder::ask(const Question& question, const PosedLines& lines, const KnownScene& scene) {
   const RelocaliserConfig& config = settings_.estimate.relocaliser;
-  const Agreement now = agreement(lines, question.range, Pose::Identity(), scene);
+  const Agreement& now = question.unmoved;
   if (is_known_ground(now, config)) return;
   const bool is_contradicted = now.pierced() >= config.pierced_share && now.known() < 0.5;
   if (question.range.end == lines.size() && is_contradicted) finding_.doubt = text_of(now);
   const std::vector<PlaceMove> moves = find_moves(lines, question.range, scene, settings_.estimate);
-  if (!moves.empty()) judge(question, moves, now, lines, scene);
+  if (!moves.empty()) judge(question, moves, lines, scene);
 }
 
 void MoveFinder::judge(const Question& question, const std::vector<PlaceMove>& moves,
-                       const Agreement& now, const PosedLines& lines, const KnownScene& scene) {
+                       const PosedLines& lines, const KnownScene& scene) {
+  const Agreement& now = question.unmoved;
   const RelocaliserConfig& config = settings_.estimate.relocaliser;
   const AssociationGates& gates = settings_.estimate.gates.front();
   const PlaceMove& move = moves.front();

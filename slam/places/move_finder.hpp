@@ -57,6 +57,7 @@ class MoveFinder {
   struct Question {
     LineRange range;
     std::uint32_t torn_from;
+    Agreement unmoved;  // where the lines are
   };
 
   void look_at_recent(const PosedLines& lines, const LineRange& newest, double tracked_share);
@@ -68,8 +69,8 @@ class MoveFinder {
   Agreement agreement(const PosedLines& lines, const LineRange& range, const Pose& T_start_start,
                       const KnownScene& scene) const;
   void ask(const Question& question, const PosedLines& lines, const KnownScene& scene);
-  void judge(const Question& question, const std::vector<PlaceMove>& moves, const Agreement& now,
-             const PosedLines& lines, const KnownScene& scene);
+  void judge(const Question& question, const std::vector<PlaceMove>& moves, const PosedLines& lines,
+             const KnownScene& scene);
 
   EstimateSettings settings_;
   std::vector<Break> breaks_;  // open ones, in their order

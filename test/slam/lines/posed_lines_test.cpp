@@ -10,8 +10,13 @@ namespace {
 /// Adds a line with so many ribbons, one metre further along x.
 void add_line(Observations& observations, int ribbons) {
   const auto line = static_cast<int>(observations.trajectory().size());
+  Ribbon ribbon;
+  Moments moments;
+  for (const double y : {0.0, 0.5, 1.0}) moments.add({2.0, y, 0.0});
+  ribbon.moments = moments;
+  ribbon.length_m = 1.0F;
   LineObservations observed;
-  observed.ribbons.resize(static_cast<std::size_t>(ribbons));
+  observed.ribbons.assign(static_cast<std::size_t>(ribbons), ribbon);
   observations.add_line({{Time(1'000'000) * line, Pose::Identity()}, planar_pose(line, 0.0, 0.0)},
                         observed);
 }
