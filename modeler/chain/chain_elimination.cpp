@@ -120,7 +120,9 @@ ChainElimination::Front ChainElimination::reduced(const Front& front, std::size_
   step.remaining.assign(split, front.unknowns.end());
   const Index e = size_of(step.eliminated), r = front.matrix.rows() - e;
   step.factor.compute(front.matrix.topLeftCorner(e, e));
-  step.coupling = step.factor.solve(front.matrix.topRightCorner(e, r));
+  // Eigen's solver may not be given a matrix without columns.
+  step.coupling.resize(e, r);
+  if (r > 0) step.coupling = step.factor.solve(front.matrix.topRightCorner(e, r));
   step.vector = step.factor.solve(front.vector.head(e));
   Front rest;
   rest.unknowns = step.remaining;
