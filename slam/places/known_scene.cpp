@@ -17,12 +17,12 @@ constexpr float kSpacing_m = 0.1F;
 constexpr std::uint32_t kMinPoints = 2;
 constexpr double kClearance_m = 0.5;
 
-LevelPoint level_point(const Eigen::Vector3d& point, const Eigen::Vector3d& normal) {
+}  // namespace
+
+LevelPoint seen_from_above(const Eigen::Vector3d& point, const Eigen::Vector3d& normal) {
   const Eigen::Vector2f level = normal.head<2>().normalized().cast<float>();
   return {static_cast<float>(point.x()), static_cast<float>(point.y()), level.x(), level.y()};
 }
-
-}  // namespace
 
 std::vector<Eigen::Vector3d> points_along(const PosedRibbon& ribbon) {
   std::vector<Eigen::Vector3d> points;
@@ -51,7 +51,7 @@ KnownScene::KnownScene(const PosedLines& lines, const std::vector<std::uint32_t>
 
 void KnownScene::enter(std::uint32_t wall, const PosedRibbon& ribbon) {
   for (const Eigen::Vector3d& point : points_along(ribbon)) {
-    points_.push_back(level_point(point, walls_[wall].plane.normal()));
+    points_.push_back(seen_from_above(point, walls_[wall].plane.normal()));
     std::vector<Part>& parts = parts_[voxel_key(point, kVoxel_m)];
     const auto part =
         std::find_if(parts.begin(), parts.end(), [&](const Part& p) { return p.wall == wall; });

@@ -14,6 +14,9 @@
 
 namespace ribbon_mapper::slam {
 
+/// Returns a point of a wall as seen from above, with the normal of its surface.
+LevelPoint seen_from_above(const Eigen::Vector3d& point, const Eigen::Vector3d& normal);
+
 /// Returns some of the points that a ribbon was made of, at least a decimetre apart.
 std::vector<Eigen::Vector3d> points_along(const PosedRibbon& ribbon);
 

@@ -28,10 +28,8 @@ LevelPoints wall_points(const PosedLines& lines, const LineRange& range) {
   for (std::uint32_t i = lines.first_ribbon(range.first); i < lines.first_ribbon(range.end); ++i) {
     const PosedRibbon ribbon = lines.posed_ribbon(i);
     if (!is_of_wall(ribbon.normal)) continue;
-    const Eigen::Vector2f normal = ribbon.normal.head<2>().normalized().cast<float>();
     for (const Eigen::Vector3d& point : points_along(ribbon)) {
-      points.push_back(
-          {static_cast<float>(point.x()), static_cast<float>(point.y()), normal.x(), normal.y()});
+      points.push_back(seen_from_above(point, ribbon.normal));
     }
   }
   return points;

@@ -7,6 +7,7 @@
 #include "slam/lines/line_adjustment.hpp"
 
 namespace ribbon_mapper::slam {
+
 TrajectoryEstimate::TrajectoryEstimate(const Observations& observations,
                                        const EstimateSettings& settings)
     : settings_(settings),
