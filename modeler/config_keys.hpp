@@ -70,6 +70,7 @@ template <typename Section, typename Visitor>
 void visit_surface(Section& section, Visitor& visit) {
   visit("surface.cell_size_m", section.cell_size_m, 0.01, 1.0);
   visit("surface.stripe_gap_m", section.stripe_gap_m, 0.01, 10.0);
+  visit("surface.outline_tolerance_m", section.outline_tolerance_m, 0.001, 1.0);
   visit("surface.bridged_gap_m", section.bridged_gap_m, 0.05, 10.0);
 }
 

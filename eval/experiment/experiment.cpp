@@ -6,9 +6,9 @@
 
 #include "eval/experiment/scan_conversion.hpp"
 #include "eval/experiment/self_closure.hpp"
-#include "eval/metrics/point_truth.hpp"
 #include "eval/metrics/statistics.hpp"
 #include "eval/results/world_outlines.hpp"
+#include "eval/segmentation/point_truth.hpp"
 #include "modeler/modeler.hpp"
 #include "modeler/program/stopwatch.hpp"
 #include "sim/truth/truth.hpp"
@@ -63,7 +63,7 @@ std::vector<StampedPose> true_poses(const sim::Tour& tour, std::vector<StampedPo
 std::vector<Patch> patches_of(const std::vector<sim::TruthPlane>& planes) {
   std::vector<Patch> patches;
   for (const sim::TruthPlane& plane : planes) {
-    patches.push_back({plane.normal, plane.d_m, plane.area_m2, plane.cells});
+    patches.push_back({plane.normal, plane.d_m, plane.area_m2, plane.axis_u, plane.cells});
   }
   return patches;
 }

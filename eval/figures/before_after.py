@@ -2,7 +2,8 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Draws top views of a model before and after the correction of its trajectory, to scale.
 
-Planes are projected on the ground, as in figure 8 of the paper.
+Level planes are projected on the ground, as in figure 8 of the paper. Upright ones are cut between
+the floor and the lintels, so that doors are open. Slopes are hatched.
 
 Usage: python3 before_after.py DIRECTORY
 
@@ -16,16 +17,19 @@ import pathlib
 import sys
 
 from figure_files import matplotlib, save_both
+from outlines import area_of, rings, sections
 
 import matplotlib.pyplot as plt  # noqa: E402 (needs the backend)
-from matplotlib.collections import LineCollection, PolyCollection  # noqa: E402
+from matplotlib.collections import LineCollection  # noqa: E402
 from matplotlib.lines import Line2D  # noqa: E402
-from matplotlib.patches import Patch  # noqa: E402
+from matplotlib.patches import Patch, PathPatch  # noqa: E402
 
 WIDTH_IN = 8.0
 TITLES_IN, LEGEND_IN = 0.68, 0.34
 MARGIN_M = 0.3
 WALL_MAX_NORMAL_Z = 0.5  # planes steeper than 60 degrees are drawn as lines
+LEVEL_MIN_NORMAL_Z = 0.985  # planes steeper than 10 degrees are slopes
+CUTS_M = [0.1 * i for i in range(1, 20)]  # heights above the floor at which upright planes are cut
 FLOOR_MIN_AREA_M2 = 10.0  # level planes from this area on are floors or ceilings
 MAX_LIGHT = 0.62  # greatest lightness of a colour on white paper
 STROKE_PT = 1.5  # thin enough to distinguish both sides of a wall
@@ -47,7 +51,13 @@ def load_trajectory(path):
 
 
 def on_ground(plane):
-    return [(x, y) for x, y, _ in plane["outline"]]
+    return [(x, y) for ring in rings(plane) for x, y, _ in ring]
+
+
+def floor_of(planes):
+    """Returns the height of the largest level plane that is seen from above [m], or 0."""
+    floors = [p for p in planes if p["normal"][2] > LEVEL_MIN_NORMAL_Z]
+    return max(floors, key=lambda p: p["area"])["centroid"][2] if floors else 0.0
 
 
 def on_paper(colour):
@@ -57,24 +67,29 @@ def on_paper(colour):
     return tuple(c * min(1.0, MAX_LIGHT / max(light, 1e-6)) for c in (red, green, blue))
 
 
-def draw_level_planes(axes, planes, colour_of):
-    """Draws floors faintly and table tops as areas, larger ones below smaller ones."""
+def draw_areas(axes, planes, colour_of):
+    """Draws floors faintly, slopes hatched and table tops as areas, smaller ones over larger."""
     for plane in sorted(planes, key=lambda p: -p["area"]):
-        is_floor = plane["area"] > FLOOR_MIN_AREA_M2
+        is_slope = abs(plane["normal"][2]) < LEVEL_MIN_NORMAL_Z
+        is_floor = plane["area"] > FLOOR_MIN_AREA_M2 and not is_slope
         colour = colour_of(plane)
-        axes.add_collection(PolyCollection(
-            [on_ground(plane)], facecolors=[FLOOR if is_floor else (*colour, 0.28)],
-            edgecolors=["none" if is_floor else colour], linewidths=0.7, zorder=1))
+        axes.add_patch(PathPatch(
+            area_of(plane), facecolor=FLOOR if is_floor else (*colour, 0.28),
+            edgecolor="none" if is_floor else colour, linewidth=0.7, zorder=1,
+            hatch="////" if is_slope else None))
 
 
 def draw_planes(axes, planes, colour_of):
-    planes = [plane for plane in planes if plane["outline"]]
-    level = [p for p in planes if abs(p["normal"][2]) > WALL_MAX_NORMAL_Z]
+    planes = [plane for plane in planes if plane["outlines"]]
     steep = [p for p in planes if abs(p["normal"][2]) <= WALL_MAX_NORMAL_Z]
-    draw_level_planes(axes, level, colour_of)
-    axes.add_collection(LineCollection([on_ground(p) + on_ground(p)[:1] for p in steep],
-                                       colors=[colour_of(p) for p in steep],
-                                       linewidths=STROKE_PT, joinstyle="bevel", zorder=3))
+    draw_areas(axes, [p for p in planes if p not in steep], colour_of)
+    floor_m = floor_of(planes)
+    for plane in steep:
+        # One that begins above the lintels, such as a high window's, is drawn where it is.
+        pieces = sections(plane, [floor_m + z for z in CUTS_M]) \
+            or sections(plane, [plane["centroid"][2]])
+        axes.add_collection(LineCollection(pieces, colors=[colour_of(plane)],
+                                           linewidths=STROKE_PT, zorder=3))
 
 
 def draw_world(axes, outlines):

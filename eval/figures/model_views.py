@@ -16,6 +16,7 @@ import sys
 try:
     import matplotlib
     import numpy
+    from outlines import closed, rings
 except ImportError:
     sys.exit("model_views.py: matplotlib is missing: sudo apt install python3-matplotlib")
 
@@ -89,8 +90,8 @@ def draw_plane(axes, view, plane, points, colours):
     depth = ({0, 1, 2} - {right, up}).pop()
     faces = abs(plane["normal"][depth]) > LEVEL_NORMAL_Z
     is_ceiling = depth == 2 and plane["normal"][2] < CEILING_NORMAL_Z
-    outline = [(p[right], p[up]) for p in plane["outline"] + plane["outline"][:1]]
-    axes.add_collection(LineCollection([outline], colors=[colours[0] if is_ceiling else "black"],
+    outlines = [closed(ring, right, up) for ring in rings(plane)]
+    axes.add_collection(LineCollection(outlines, colors=[colours[0] if is_ceiling else "black"],
                                        linewidths=0.8 if is_ceiling else 0.4, zorder=4,
                                        linestyles="dashed" if is_ceiling else "solid"))
     if not is_ceiling:

@@ -159,6 +159,7 @@ MapMetrics compare_maps(const std::vector<Patch>& estimates, const std::vector<P
     matches.push_back(pair);
   }
   metrics.matched = matches.size();
+  for (const Pair& pair : matches) metrics.matches.push_back({pair.estimate, pair.truth});
   for (std::size_t t = 0; t < truth.size(); ++t) {
     if (!is_found[t]) metrics.missed.push_back(t);
   }

@@ -18,11 +18,18 @@ struct MatchLimits {
   double min_overlap = 0.5;    ///< share of the estimate's cells, or of the truth's, in the other
 };
 
+/// An estimate and the true plane that it matches.
+struct Match {
+  std::size_t estimate = 0;  ///< index of the estimate
+  std::size_t truth = 0;     ///< index of the true plane
+};
+
 /// Result of comparing a model of planes with the world.
 struct MapMetrics {
   std::size_t planes = 0;               ///< number of planes in the model
   std::size_t truth = 0;                ///< number of planes in the world
   std::size_t matched = 0;              ///< number of one-to-one pairs
+  std::vector<Match> matches;           ///< these pairs
   std::vector<std::size_t> missed;      ///< indices of true planes without a partner
   std::vector<std::size_t> duplicates;  ///< indices of further estimates of a matched plane
   std::vector<std::size_t> extra;       ///< indices of estimates that match no true plane
@@ -40,6 +47,8 @@ struct MapMetrics {
   std::optional<double> offset_error_m_mean;
   /// Median distance of the estimates' centroids from their true planes.
   std::optional<double> offset_error_m_median;
+  /// See outline_iou(); empty if the planes have no outlines.
+  std::optional<double> outline_iou;
   /// Estimates per matched true plane: (matched + duplicates) / matched.
   std::optional<double> duplication_ratio;
 };

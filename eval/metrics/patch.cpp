@@ -17,7 +17,7 @@ std::int32_t grid_index(double distance_m, double cell_size_m) {
 }  // namespace
 
 Patch patch_of(const Plane& plane) {
-  Patch patch{plane.normal, plane.d_m, plane.area_m2, {}};
+  Patch patch{plane.normal, plane.d_m, plane.area_m2, plane.axis_u, {}};
   patch.cells.reserve(plane.cells.size());
   for (const PlaneCell& cell : plane.cells) patch.cells.push_back(cell_centre(plane, cell));
   return patch;
@@ -38,9 +38,12 @@ Plane plane_of(const Patch& patch, std::int64_t id, double cell_size_m) {
   plane.d_m = patch.d_m;
   plane.area_m2 = patch.area_m2;
   plane.centroid = centroid_of(patch);
-  plane.axis_u = patch.normal.unitOrthogonal();
+  plane.axis_u = patch.axis_u.value_or(patch.normal.unitOrthogonal());
   plane.axis_v = patch.normal.cross(plane.axis_u);
   plane.origin = plane.centroid;
+  if (!patch.cells.empty()) {  // the corner of a cell
+    plane.origin = patch.cells.front() - 0.5 * cell_size_m * (plane.axis_u + plane.axis_v);
+  }
   std::map<std::pair<std::int32_t, std::int32_t>, std::uint32_t> counts;  // by (v, u)
   for (const Eigen::Vector3d& centre : patch.cells) {
     const Eigen::Vector3d offset = centre - plane.origin;

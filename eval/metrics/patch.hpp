@@ -3,6 +3,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <optional>
 #include <vector>
 
 #include "modeler/surface/plane.hpp"
@@ -14,6 +15,8 @@ struct Patch {
   Eigen::Vector3d normal = Eigen::Vector3d::UnitZ();  ///< unit length, towards the observed side
   double d_m = 0.0;                                   ///< n.p + d = 0
   double area_m2 = 0.0;                               ///< observed area
+  /// Direction of the rows of cells, on the plane; any if there is none.
+  std::optional<Eigen::Vector3d> axis_u = std::nullopt;
   std::vector<Eigen::Vector3d> cells;  ///< centres of the observed cells (5 cm), on the plane
 };
 

@@ -6,6 +6,7 @@
 #include <cstdio>
 #include <nlohmann/json.hpp>
 
+#include "eval/metrics/outline_iou.hpp"
 #include "modeler/geometry/angles.hpp"
 #include "modeler/io/colour.hpp"
 #include "modeler/io/planes_json.hpp"
@@ -52,7 +53,7 @@ std::string figure_data(const Results& results, const std::string& run_id) {
 /// Adds the outlines that planes as built do not have.
 std::vector<Plane> with_outlines(std::vector<Plane> planes) {
   for (Plane& plane : planes) {
-    if (plane.outline.empty()) plane.outline = outline_of(plane, SurfaceConfig().bridged_gap_m);
+    if (plane.outlines.empty()) plane.outlines = outlines_of(plane, {});
   }
   return planes;
 }
@@ -60,8 +61,11 @@ std::vector<Plane> with_outlines(std::vector<Plane> planes) {
 }  // namespace
 
 void evaluate(Results& results) {
+  const std::vector<Plane> truth = planes_of(results.truth);
   results.summary.metrics = for_each_model(results.models, [&](const std::vector<Plane>& planes) {
-    return compare_maps(patches_of(planes), results.truth);
+    MapMetrics metrics = compare_maps(patches_of(planes), results.truth);
+    metrics.outline_iou = outline_iou(planes, truth, metrics.matches);
+    return metrics;
   });
   if (results.trajectory_before.empty() || results.trajectory_truth.empty()) return;
   const Pose T_truth_estimate = results.trajectory_truth.back().T_map_base.inverse() *

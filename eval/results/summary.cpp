@@ -24,6 +24,7 @@ Json to_json(const MapMetrics& m) {
           {"recall", m.recall},
           {"f1", m.f1},
           {"coverage", m.coverage},
+          {"outline_iou", to_json(m.outline_iou)},
           {"duplication_ratio", to_json(m.duplication_ratio)},
           {"angle_error_deg_mean", to_json(m.angle_error_deg_mean)},
           {"angle_error_deg_median", to_json(m.angle_error_deg_median)},

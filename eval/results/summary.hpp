@@ -9,9 +9,9 @@
 
 #include "eval/experiment/run_options.hpp"
 #include "eval/metrics/map_metrics.hpp"
-#include "eval/metrics/point_metrics.hpp"
 #include "eval/results/four_models.hpp"
 #include "eval/results/trajectory_error.hpp"
+#include "eval/segmentation/point_metrics.hpp"
 #include "modeler/chain/pose_precision.hpp"
 
 namespace ribbon_mapper::eval {

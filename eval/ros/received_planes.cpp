@@ -27,6 +27,12 @@ void set_cells(const BoundedPlane& message, Plane& plane) {
   }
 }
 
+std::vector<Eigen::Vector3d> ring_of(const geometry_msgs::Polygon& polygon) {
+  std::vector<Eigen::Vector3d> ring;
+  for (const auto& corner : polygon.points) ring.push_back(vector_of(corner));
+  return ring;
+}
+
 Plane plane_from(const BoundedPlane& message) {
   Plane plane;
   plane.id = message.id;
@@ -38,7 +44,10 @@ Plane plane_from(const BoundedPlane& message) {
   plane.cell_size_m = message.cell_size;
   plane.axis_u = vector_of(message.axis_u);
   plane.axis_v = vector_of(message.axis_v);
-  for (const auto& corner : message.outline.points) plane.outline.push_back(vector_of(corner));
+  for (const auto& outline : message.outlines) {
+    plane.outlines.push_back({ring_of(outline.outer), {}});
+    for (const auto& hole : outline.holes) plane.outlines.back().holes.push_back(ring_of(hole));
+  }
   set_cells(message, plane);
   return plane;
 }
@@ -54,7 +63,7 @@ std::vector<Plane> planes_from(const PlaneArray& message) {
 std::vector<Patch> patches_from(const PlaneArray& message) {
   std::vector<Patch> patches;
   for (const BoundedPlane& plane : message.planes) {
-    patches.push_back({vector_of(plane.normal), plane.d, plane.area, {}});
+    patches.push_back({vector_of(plane.normal), plane.d, plane.area, vector_of(plane.axis_u), {}});
     for (const auto& cell : plane.cells) patches.back().cells.push_back(vector_of(cell));
   }
   return patches;

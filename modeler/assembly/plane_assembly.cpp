@@ -180,7 +180,7 @@ std::vector<Plane> assembled_planes(const std::vector<Hypothesis>& hypotheses,
                  surfaces.end());
   std::vector<Plane> planes =
       finished(std::move(surfaces), gates, config.min_area_m2, observations, bridged_gap_m, config);
-  for (Plane& plane : planes) plane.outline = outline_of(plane, bridged_gap_m);
+  for (Plane& plane : planes) plane.outlines = outlines_of(plane, surface_config);
   return planes;
 }
 

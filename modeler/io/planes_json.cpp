@@ -17,6 +17,16 @@ Json to_json(const std::vector<Eigen::Vector3d>& points) {
   return json;
 }
 
+/// Returns the rings of each outline, the outer one first, as in a GeoJSON MultiPolygon.
+Json to_json(const std::vector<Outline>& outlines) {
+  Json json = Json::array();
+  for (const Outline& outline : outlines) {
+    Json& rings = json.emplace_back(Json::array({to_json(outline.outer)}));
+    for (const auto& hole : outline.holes) rings.push_back(to_json(hole));
+  }
+  return json;
+}
+
 Json to_json(const Eigen::AlignedBox3d& box) {
   return box.isEmpty() ? Json::array() : Json{to_json(box.min()), to_json(box.max())};
 }
@@ -28,7 +38,7 @@ Json to_json(const Plane& plane) {
           {"area", plane.area_m2},
           {"centroid", to_json(plane.centroid)},
           {"bbox", to_json(bounding_box(plane))},
-          {"outline", to_json(plane.outline)}};
+          {"outlines", to_json(plane.outlines)}};
 }
 
 void extend_by_cell(Eigen::AlignedBox3d& box, const Plane& plane, const PlaneCell& cell) {
@@ -41,7 +51,9 @@ void extend_by_cell(Eigen::AlignedBox3d& box, const Plane& plane, const PlaneCel
 
 Eigen::AlignedBox3d bounding_box(const Plane& plane) {
   Eigen::AlignedBox3d box;
-  for (const Eigen::Vector3d& point : plane.outline) box.extend(point);
+  for (const Outline& outline : plane.outlines) {
+    for (const Eigen::Vector3d& point : outline.outer) box.extend(point);
+  }
   if (!box.isEmpty()) return box;
   for (const PlaneCell& cell : plane.cells) extend_by_cell(box, plane, cell);
   return box;

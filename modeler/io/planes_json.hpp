@@ -11,14 +11,16 @@
 
 namespace ribbon_mapper {
 
-/// Returns the axis-aligned bounding box of the outline, or of the cells if there is no outline
+/// Returns the axis-aligned bounding box of the outlines, or of the cells if there are none
 /// (map frame).
 Eigen::AlignedBox3d bounding_box(const Plane& plane);
 
 /// Converts planes to JSON, one plane per line:
 /// {"frame", "unit", "run", "origin", "planes": [{"id", "normal", "d", "area", "centroid",
-/// "bbox": [min, max], "outline"}]}.
+/// "bbox": [min, max], "outlines"}]}.
 ///
+/// "outlines" is built as the coordinates of a GeoJSON MultiPolygon (RFC 7946): for each outline a
+/// list of rings, the outer one first, then holes. Here, the first point is not repeated.
 /// Metres; n.p + d = 0 with n towards the observed side. Numbers have all digits of a double, so
 /// that ModelLabel::origin is not subtracted: it is stated for the other files of the model. The
 /// bytes are reproducible.

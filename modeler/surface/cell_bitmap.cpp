@@ -7,18 +7,6 @@
 namespace ribbon_mapper {
 namespace {
 
-/// Returns the area [cells] inside a boundary: positive if it is counter-clockwise, negative for
-/// the boundary of a hole.
-double signed_area(const std::vector<GridCorner>& corners) {
-  double twice = 0.0;
-  for (std::size_t i = 0; i < corners.size(); ++i) {
-    const GridCorner& a = corners[i];
-    const GridCorner& b = corners[(i + 1) % corners.size()];
-    twice += static_cast<double>(a.u) * b.v - static_cast<double>(b.u) * a.v;
-  }
-  return 0.5 * twice;
-}
-
 using Words = std::vector<std::uint64_t>;
 
 void set_bit(Words& words, std::size_t i) { words[i / 64] |= std::uint64_t{1} << (i % 64); }
@@ -108,26 +96,44 @@ std::vector<CellRectangle> CellBitmap::rectangles() const {
   return done;
 }
 
-std::vector<GridCorner> CellBitmap::outer_boundary() const {
+void CellBitmap::join_corners() {
+  const auto ahead = [this](std::size_t shift) {
+    Words words = seen_;
+    join_ahead(words, shift, [](auto, auto next) { return next; });
+    return words;
+  };
+  for (bool changed = true; changed;) {
+    changed = false;
+    const Words right = ahead(1), above = ahead(index(0, 1)), across = ahead(index(1, 1));
+    Words rising(seen_.size());  // cells that touch the one to the upper right: fills the right one
+    for (std::size_t i = 0; i < seen_.size(); ++i) {
+      rising[i] = seen_[i] & across[i] & ~right[i] & ~above[i];
+      const std::uint64_t falling = right[i] & above[i] & ~seen_[i] & ~across[i];
+      seen_[i] |= falling;
+      changed = changed || (rising[i] | falling) != 0;
+    }
+    join_behind(rising, 1, [](auto, auto before) { return before; });
+    for (std::size_t i = 0; i < seen_.size(); ++i) seen_[i] |= rising[i];
+  }
+}
+
+std::vector<std::vector<GridCorner>> CellBitmap::boundaries() const {
   Words lower_edges = seen_;  // lower edges of seen cells that no boundary has followed yet
   join_behind(lower_edges, index(0, 1), [](auto cell, auto below) { return cell & ~below; });
-  std::vector<GridCorner> largest;
-  double largest_area = 0.0;
+  std::vector<std::vector<GridCorner>> boundaries;
   for (std::size_t i = 0; i < lower_edges.size(); ++i) {
     while (lower_edges[i] != 0) {
       const auto at = 64 * i + static_cast<std::size_t>(__builtin_ctzll(lower_edges[i]));
       const auto columns = static_cast<std::size_t>(columns_);
-      const auto u = static_cast<int>(at % columns), v = static_cast<int>(at / columns);
-      std::vector<GridCorner> boundary = follow(u, v, lower_edges);
-      const double area = signed_area(boundary);
-      if (area > largest_area) largest = std::move(boundary), largest_area = area;
+      boundaries.push_back(
+          follow(static_cast<int>(at % columns), static_cast<int>(at / columns), lower_edges));
     }
   }
-  return largest;
+  return boundaries;
 }
 
 /// Follows the boundary with seen cells to its left, starting at the lower edge of cell (u, v).
-/// Cells that touch at a corner only are kept together. Clears the lower edges that it passes.
+/// Clears the lower edges that it passes.
 std::vector<GridCorner> CellBitmap::follow(int u, int v, Words& lower_edges) const {
   constexpr int step_u[] = {1, 0, -1, 0}, step_v[] = {0, 1, 0, -1};
   constexpr int left_u[] = {0, -1, -1, 0},

@@ -29,8 +29,11 @@ class CellBitmap {
   /// successive rows united.
   std::vector<CellRectangle> rectangles() const;
 
-  /// Returns the corners of the boundary that encloses the largest area, counter-clockwise.
-  std::vector<GridCorner> outer_boundary() const;
+  /// Fills a cell wherever two seen cells touch at a corner only, so that boundaries do not touch.
+  void join_corners();
+
+  /// Returns the boundaries of the seen area and of its holes, with seen cells to their left.
+  std::vector<std::vector<GridCorner>> boundaries() const;
 
  private:
   using Words = std::vector<std::uint64_t>;

@@ -5,69 +5,65 @@
 #include <algorithm>
 #include <cmath>
 
+#include "modeler/polygon/polygon_operations.hpp"
 #include "modeler/surface/cell_bitmap.hpp"
 
 namespace ribbon_mapper {
 namespace {
 
-using Corners = std::vector<GridCorner>;
-constexpr double kToleranceInCells = 1.0;
-
-/// Returns the distance of p from the line through a and b.
-double distance_from_chord(const GridCorner& p, const GridCorner& a, const GridCorner& b) {
-  const double du = b.u - a.u, dv = b.v - a.v, length = std::hypot(du, dv);
-  if (length == 0.0) return std::hypot(p.u - a.u, p.v - a.v);
-  return std::abs(du * (p.v - a.v) - dv * (p.u - a.u)) / length;
-}
-
-/// Appends the corners between `first` and `last`, both excluded, that the algorithm of Douglas and
-/// Peucker (1973) keeps.
-void simplify(const Corners& corners, std::size_t first, std::size_t last, Corners& kept) {
-  double farthest = 0.0;
-  std::size_t split = first;
-  for (std::size_t i = first + 1; i < last; ++i) {
-    const double distance = distance_from_chord(corners[i], corners[first], corners[last]);
-    if (distance > farthest) farthest = distance, split = i;
+/// Returns the boundaries of the closed cells as rings, in cells.
+std::vector<Ring> boundary_rings(const Plane& plane, double stripe_gap_m) {
+  CellBitmap bitmap(plane.cells,
+                    static_cast<int>(std::ceil(0.5 * stripe_gap_m / plane.cell_size_m)));
+  bitmap.close();
+  bitmap.join_corners();
+  std::vector<Ring> rings;
+  for (const std::vector<GridCorner>& boundary : bitmap.boundaries()) {
+    Ring& ring = rings.emplace_back();
+    for (const GridCorner& corner : boundary) ring.emplace_back(corner.u, corner.v);
   }
-  if (farthest <= kToleranceInCells) return;
-  simplify(corners, first, split, kept);
-  kept.push_back(corners[split]);
-  simplify(corners, split, last, kept);
+  return rings;
 }
 
-/// Returns a closed boundary without the corners that matter less than a cell.
-Corners simplify(Corners corners) {
-  if (corners.size() < 4) return corners;
-  const auto before = [](const GridCorner& a, const GridCorner& b) {
-    return a.u + a.v != b.u + b.v ? a.u + a.v < b.u + b.v : a.u < b.u;
-  };
-  // Starts at two opposite corners, which every simplified outline has.
-  std::rotate(corners.begin(), std::min_element(corners.begin(), corners.end(), before),
-              corners.end());
-  const auto opposite = std::max_element(corners.begin(), corners.end(), before);
-  const auto middle = static_cast<std::size_t>(opposite - corners.begin());
-  corners.push_back(corners.front());
-  Corners kept{corners.front()};
-  simplify(corners, 0, middle, kept);
-  kept.push_back(corners[middle]);
-  simplify(corners, middle, corners.size() - 1, kept);
-  if (kept.size() > 2) return kept;
-  corners.pop_back();  // too narrow to be simplified
-  return corners;
+/// Removes rings around less than `min_area`, but not the largest one.
+void remove_specks(std::vector<Ring>& rings, double min_area) {
+  const auto size = [](const Ring& ring) { return std::abs(signed_area(ring)); };
+  const auto largest = std::max_element(
+      rings.begin(), rings.end(), [&](const Ring& a, const Ring& b) { return size(a) < size(b); });
+  std::iter_swap(rings.begin(), largest);
+  rings.erase(std::remove_if(rings.begin() + 1, rings.end(),
+                             [&](const Ring& ring) { return size(ring) < min_area; }),
+              rings.end());
+}
+
+std::vector<Eigen::Vector3d> on_plane(const Plane& plane, const Ring& ring) {
+  std::vector<Eigen::Vector3d> points;
+  for (const Eigen::Vector2d& p : ring) {
+    points.push_back(plane.origin + p.x() * plane.axis_u + p.y() * plane.axis_v);
+  }
+  return points;
 }
 
 }  // namespace
 
-std::vector<Eigen::Vector3d> outline_of(const Plane& plane, double bridged_gap_m) {
+Polygons seen_area(const Plane& plane, double stripe_gap_m, double tolerance_m) {
   if (plane.cells.empty()) return {};
-  CellBitmap bitmap(plane.cells,
-                    static_cast<int>(std::ceil(0.5 * bridged_gap_m / plane.cell_size_m)));
-  bitmap.close();
-  std::vector<Eigen::Vector3d> outline;
-  for (const GridCorner& corner : simplify(bitmap.outer_boundary())) {
-    outline.push_back(grid_corner(plane, corner.u, corner.v));
+  const double cell_m = plane.cell_size_m;
+  std::vector<Ring> rings = boundary_rings(plane, stripe_gap_m);
+  remove_specks(rings, stripe_gap_m * stripe_gap_m / (cell_m * cell_m));
+  for (Ring& ring : rings) {
+    for (Eigen::Vector2d& point : ring) point *= cell_m;
   }
-  return outline;
+  return simplified(polygons_of(rings), tolerance_m);
+}
+
+std::vector<Outline> outlines_of(const Plane& plane, const SurfaceConfig& config) {
+  std::vector<Outline> outlines;
+  for (const Polygon& polygon : seen_area(plane, config.stripe_gap_m, config.outline_tolerance_m)) {
+    Outline& outline = outlines.emplace_back(Outline{on_plane(plane, polygon.outer), {}});
+    for (const Ring& hole : polygon.holes) outline.holes.push_back(on_plane(plane, hole));
+  }
+  return outlines;
 }
 
 }  // namespace ribbon_mapper

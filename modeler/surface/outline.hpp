@@ -2,18 +2,23 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <Eigen/Core>
 #include <vector>
 
+#include "modeler/polygon/polygon.hpp"
 #include "modeler/surface/plane.hpp"
+#include "modeler/surface/surface_config.hpp"
 
 namespace ribbon_mapper {
 
-/// Returns the outer boundary of the largest piece of the seen cells, in the frame of the plane
-/// [m].
+/// Returns the seen area of a plane as polygons, in metres along axis_u and axis_v from the origin.
 ///
-/// Gaps up to `bridged_gap_m` are closed first. The boundary is simplified with a tolerance of one
-/// cell. It is counter-clockwise about the normal and does not repeat its first point.
-std::vector<Eigen::Vector3d> outline_of(const Plane& plane, double bridged_gap_m);
+/// Stripes between scan lines are closed, see SurfaceConfig::stripe_gap_m: wider gaps, such as
+/// doors, stay open. So are parts and holes left out that are smaller than a square of that side,
+/// which the lines do not resolve; the largest part always remains. Boundaries are within
+/// `tolerance_m` of those of the cells.
+Polygons seen_area(const Plane& plane, double stripe_gap_m, double tolerance_m);
+
+/// Returns the outlines of the seen area of a plane, as seen_area(), in map.
+std::vector<Outline> outlines_of(const Plane& plane, const SurfaceConfig& config);
 
 }  // namespace ribbon_mapper

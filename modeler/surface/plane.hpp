@@ -17,6 +17,12 @@ struct PlaneCell {
   float variance_m2 = 0.0F;  ///< variance of this distance
 };
 
+/// An area with holes on a plane.
+struct Outline {
+  std::vector<Eigen::Vector3d> outer;               ///< counter-clockwise about the normal
+  std::vector<std::vector<Eigen::Vector3d>> holes;  ///< clockwise
+};
+
 /// A bounded plane of the model, n.p + d = 0, in the map frame.
 ///
 /// The centre of cell (u, v) is origin + (u + 0.5) * s * axis_u + (v + 0.5) * s * axis_v, with the
@@ -40,9 +46,8 @@ struct Plane {
   Eigen::Vector3d axis_v = Eigen::Vector3d::UnitY();  ///< direction of rows: normal x axis_u
   std::vector<PlaneCell> cells;                       ///< seen cells only, sorted by (v, u)
 
-  /// Outer boundary on the plane, counter-clockwise about the normal. The first point is not
-  /// repeated.
-  std::vector<Eigen::Vector3d> outline;
+  /// Boundaries of what was seen, on the plane. The first point of each is not repeated.
+  std::vector<Outline> outlines;
 };
 
 /// Returns the centre of a cell in the map frame, on the plane.

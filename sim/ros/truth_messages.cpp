@@ -17,6 +17,7 @@ BoundedPlane plane_message(const TruthPlane& plane) {
   message.area = plane.area_m2;
   message.cell_size = 0.05;
   Eigen::AlignedBox3d box;
+  message.axis_u = vector_message(plane.axis_u);
   Eigen::Vector3d sum = Eigen::Vector3d::Zero();
   for (const Eigen::Vector3d& cell : plane.cells) {
     box.extend(cell);

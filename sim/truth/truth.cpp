@@ -54,6 +54,7 @@ struct Group {
     TruthPlane plane;
     plane.normal = normal;
     plane.d_m = d_m;
+    plane.axis_u = u_axis;
     plane.area_m2 = static_cast<double>(patch.size()) * kCell_m * kCell_m;
     std::set<int> faces;
     for (const HitCell& cell : patch) {

@@ -21,6 +21,7 @@ struct TruthPlane {
   Eigen::Vector3d normal = Eigen::Vector3d::UnitZ();  ///< towards the laser
   double d_m = 0.0;                                   ///< n.p + d = 0 in map
   double area_m2 = 0.0;                               ///< of the cells
+  Eigen::Vector3d axis_u = Eigen::Vector3d::UnitX();  ///< direction of the cells' rows
   std::vector<Eigen::Vector3d> cells;  ///< centres of the hit cells, in map, on the plane
   std::vector<int> cell_numbers;       ///< of the cells, as TruthCollector::add() returns them
   std::vector<int> faces;              ///< indices into World::faces()

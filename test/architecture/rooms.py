@@ -13,13 +13,14 @@ ANY = None
 # The method, each room with what it may include of the others.
 _CORE = {
     "geometry": [],
+    "polygon": [],
     "scan": ["geometry"],
     "ribbon": ["geometry", "scan"],
     "trajectory": ["geometry"],
     "observations": ["geometry", "ribbon", "trajectory"],
     "association": ["geometry", "ribbon", "observations"],
-    "surface": ["geometry", "ribbon", "observations", "association"],
-    "assembly": ["geometry", "ribbon", "observations", "association", "surface"],
+    "surface": ["geometry", "polygon", "ribbon", "observations", "association"],
+    "assembly": ["geometry", "polygon", "ribbon", "observations", "association", "surface"],
     "chain": ["geometry"],
     "registration": ["geometry", "ribbon", "trajectory", "observations", "association", "chain"],
 }
@@ -32,7 +33,7 @@ _SIM = ["sim/shapes", "sim/sdf", "sim/world", "sim/rays", "sim/robot", "sim/tour
 _POSE = ["modeler/geometry/time.hpp", "modeler/geometry/pose.hpp"]
 
 ROOMS = {
-    **{f"modeler/{name}": Room([f"modeler/{other}" for other in others], ["Eigen", "tsl"])
+    **{f"modeler/{name}": Room([f"modeler/{other}" for other in others], ["Eigen", "geos_c.h", "tsl"])
        for name, others in _CORE.items()},
     "modeler": Room(_METHOD, ["Eigen"]),
     "modeler/calibration": Room(_MODELER, ["Eigen"]),
@@ -74,11 +75,13 @@ ROOMS = {
                                     "modeler/program/run_program.hpp",
                                     "modeler/storage/atomic_file.hpp", "modeler/io/tum.hpp"], ANY),
     "eval/metrics": Room(_TOOLS + _SIM, ["Eigen"]),
-    "eval/results": Room(_TOOLS + _SIM + ["eval/metrics", "eval/experiment"],
+    "eval/segmentation": Room(_TOOLS + _SIM + ["eval/metrics"], ["Eigen"]),
+    "eval/results": Room(_TOOLS + _SIM + ["eval/metrics", "eval/segmentation", "eval/experiment"],
                          ["Eigen", "nlohmann"]),
-    "eval/experiment": Room(_TOOLS + _SIM + ["slam/tilting", "eval/metrics", "eval/results"],
+    "eval/experiment": Room(_TOOLS + _SIM + ["slam/tilting", "eval/metrics", "eval/segmentation",
+                                              "eval/results"],
                             ["Eigen", "CLI", "nlohmann", "sys"]),
-    "eval/ros": Room(_TOOLS + _ROS + _SIM + ["sim/ros", "eval/metrics", "eval/results",
+    "eval/ros": Room(_TOOLS + _ROS + _SIM + ["sim/ros", "eval/metrics", "eval/segmentation", "eval/results",
                                              "eval/experiment"], ANY),
     "examples": Room(_TOOLS + _ROS + ["modeler/ros/bag", "examples"], ANY),
     "bench/": Room(_TOOLS + _SIM + ["modeler/ros/", "eval/", "bench/"], ANY),

@@ -56,10 +56,11 @@ TEST(Results, WritesTheFilesOfTheDemo) {
 TEST(Results, PlanesWithoutOutlineGetOne) {
   const TemporaryDirectory directory;
   Results results = sample_results();
-  for (Plane& plane : results.models.noisy_as_built) plane.outline.clear();
+  for (Plane& plane : results.models.noisy_as_built) plane.outlines.clear();
   write_results(results, directory.path());
   const auto json = nlohmann::json::parse(content_of(directory.path() / "planes_before.json"));
-  for (const auto& plane : json.at("planes")) EXPECT_GE(plane.at("outline").size(), 4U);
+  for (const auto& plane : json.at("planes"))
+    EXPECT_GE(plane.at("outlines").at(0).at(0).size(), 4U);
 }
 
 TEST(Results, TheSameResultsGiveTheSameBytes) {

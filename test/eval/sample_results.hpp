@@ -20,8 +20,9 @@ inline Plane sample_wall(std::int64_t id, double x_m, double y_begin_m) {
   for (int v = 0; v < 40; ++v) {
     for (int u = 0; u < 40; ++u) plane.cells.push_back({u, v, 1, 0.0F, 0.0F});
   }
-  plane.outline = {grid_corner(plane, 0, 0), grid_corner(plane, 40, 0), grid_corner(plane, 40, 40),
-                   grid_corner(plane, 0, 40)};
+  plane.outlines = {{{grid_corner(plane, 0, 0), grid_corner(plane, 40, 0),
+                      grid_corner(plane, 40, 40), grid_corner(plane, 0, 40)},
+                     {}}};
   return plane;
 }
 

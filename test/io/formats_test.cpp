@@ -24,7 +24,7 @@ TEST(PlanesJson, GoldenBytes) {
             "{\n\"frame\": \"map\",\n\"unit\": \"m\",\n\"planes\": [\n"
             "{\"id\":7,\"normal\":[0.0,0.0,1.0],\"d\":-0.5,\"area\":0.005,"
             "\"centroid\":[0.05,0.025,0.5],\"bbox\":[[0.0,0.0,0.5],[0.125,0.0625,0.5]],"
-            "\"outline\":[[0.0,0.0,0.5],[0.125,0.0,0.5],[0.125,0.0625,0.5],[0.0,0.0625,0.5]]}"
+            "\"outlines\":[[[[0.0,0.0,0.5],[0.125,0.0,0.5],[0.125,0.0625,0.5],[0.0,0.0625,0.5]]]]}"
             "\n]\n}\n");
 }
 
@@ -45,7 +45,7 @@ TEST(PlanesJson, NoPlanesAreValidJson) {
 
 TEST(PlanesJson, WithoutOutlineTheBoxIsThatOfTheCells) {
   Plane plane = small_plane();
-  plane.outline.clear();
+  plane.outlines.clear();
   const Eigen::AlignedBox3d box = bounding_box(plane);
   EXPECT_TRUE(box.min().isApprox(Eigen::Vector3d(0.0, 0.0, 0.5)));
   EXPECT_TRUE(box.max().isApprox(Eigen::Vector3d(0.1, 0.05, 0.5)));
@@ -127,7 +127,7 @@ Plane plane_in_utm() {
   plane.origin += shift;
   plane.centroid += shift;
   plane.d_m -= shift.z();
-  for (Eigen::Vector3d& point : plane.outline) point += shift;
+  for (Eigen::Vector3d& point : plane.outlines.front().outer) point += shift;
   return plane;
 }
 
@@ -135,14 +135,14 @@ TEST(Origin, IsZeroWithinAKilometre) {
   EXPECT_EQ(origin_of({}), Eigen::Vector3d(0, 0, 0));
   EXPECT_EQ(origin_of({small_plane()}), Eigen::Vector3d(0, 0, 0));
   Plane plane = small_plane();
-  for (Eigen::Vector3d& point : plane.outline) point.x() -= 999.0;
+  for (Eigen::Vector3d& point : plane.outlines.front().outer) point.x() -= 999.0;
   EXPECT_EQ(origin_of({plane}), Eigen::Vector3d(0, 0, 0));
 }
 
 TEST(Origin, IsInWholeKilometresNearPlanesFarAway) {
   EXPECT_EQ(origin_of({plane_in_utm()}), Eigen::Vector3d(690'000, 5'335'000, 0));
   Plane plane = small_plane();
-  for (Eigen::Vector3d& point : plane.outline) point.y() -= 2'400'000.0;
+  for (Eigen::Vector3d& point : plane.outlines.front().outer) point.y() -= 2'400'000.0;
   EXPECT_EQ(origin_of({plane}), Eigen::Vector3d(0, -2'400'000, 0));
 }
 
@@ -166,7 +166,7 @@ TEST(Origin, IsStatedInJsonWhoseNumbersAreWhole) {
   label.origin = origin_of({plane_in_utm()});
   const auto json = nlohmann::json::parse(planes_to_json({plane_in_utm()}, label));
   EXPECT_EQ(json.at("origin"), nlohmann::json({690'000.0, 5'335'000.0, 0.0}));
-  EXPECT_EQ(json.at("planes")[0].at("outline")[0][1], 5'334'567.75);
+  EXPECT_EQ(json.at("planes")[0].at("outlines")[0][0][0][1], 5'334'567.75);
 }
 
 TEST(Origin, LetsOctoMapsHoldPlanesFarAway) {
@@ -185,7 +185,7 @@ TEST(Origin, LetsOctoMapsHoldPlanesFarAway) {
 TEST(OctoMap, HoldsAModelThatIsLargerThanItsKeys) {
   Plane far = small_plane();
   far.origin.x() = 5000.0;
-  for (Eigen::Vector3d& point : far.outline) point.x() += 5000.0;
+  for (Eigen::Vector3d& point : far.outlines.front().outer) point.x() += 5000.0;
   std::stringstream stream(planes_to_octomap({small_plane(), far}));
   octomap::OcTree tree(1.0);
   ASSERT_TRUE(tree.readBinary(stream));

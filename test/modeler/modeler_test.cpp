@@ -40,7 +40,7 @@ TEST(Modeler, ReturnsConsistentPlanes) {
     EXPECT_NEAR(0.0, plane.normal.dot(plane.centroid) + plane.d_m, 1e-6);
     EXPECT_NEAR(0.0, plane.normal.dot(plane.origin) + plane.d_m, 1e-9);
     EXPECT_NEAR(plane.cells.size() * 0.05 * 0.05, plane.area_m2, 1e-9);
-    EXPECT_GE(plane.outline.size(), 4u);
+    EXPECT_GE(plane.outlines.at(0).outer.size(), 4u);
     const double wall_m2 = 6.0 * 5.0;  // area of the largest face
     EXPECT_GT(plane.area_m2, 0.3 * wall_m2);
     EXPECT_LT(plane.area_m2, wall_m2);

@@ -19,6 +19,14 @@ void append(std::string& bytes, const Eigen::Vector3d& v) {
   for (int i = 0; i < 3; ++i) append(bytes, v[i]);
 }
 
+void append(std::string& bytes, const Outline& outline) {
+  for (const Eigen::Vector3d& corner : outline.outer) append(bytes, corner);
+  for (const auto& hole : outline.holes) {
+    append(bytes, hole.size());
+    for (const Eigen::Vector3d& corner : hole) append(bytes, corner);
+  }
+}
+
 bool is_at(const Face& face, const Plane& plane, double angle_deg, double distance_m) {
   const double cosine = face.normal.dot(plane.normal);
   return cosine > std::cos(angle_deg * M_PI / 180.0) &&
@@ -38,7 +46,7 @@ std::string bytes_of(const std::vector<Plane>& planes) {
       append(bytes, cell.u), append(bytes, cell.v), append(bytes, cell.count);
       append(bytes, cell.mean_m), append(bytes, cell.variance_m2);
     }
-    for (const Eigen::Vector3d& corner : p.outline) append(bytes, corner);
+    for (const Outline& outline : p.outlines) append(bytes, outline);
   }
   return bytes;
 }
@@ -80,7 +88,12 @@ Plane moved(Plane plane, const Pose& T) {
     *axis = T.linear() * *axis;
   }
   for (Eigen::Vector3d* point : {&plane.origin, &plane.centroid}) *point = T * *point;
-  for (Eigen::Vector3d& corner : plane.outline) corner = T * corner;
+  for (Outline& outline : plane.outlines) {
+    for (Eigen::Vector3d& corner : outline.outer) corner = T * corner;
+    for (auto& hole : outline.holes) {
+      for (Eigen::Vector3d& corner : hole) corner = T * corner;
+    }
+  }
   plane.d_m = -plane.normal.dot(plane.centroid);
   return plane;
 }

@@ -77,7 +77,7 @@ class Wiring(unittest.TestCase):
         self.assertEqual(len(self.truth.wait().planes), 5)
         self.assertEqual(len(self.model().planes.planes), 5)
         self.assertEqual(len(self.planes.newest().planes), 5)
-        self.assertTrue(all(plane.outline.points for plane in self.model().planes.planes))
+        self.assertTrue(all(plane.outlines[0].outer.points for plane in self.model().planes.planes))
         self.assertTrue(self.model(GetModelRequest.BEFORE_CORRECTION).success)
 
     def test_true_poses_at_the_acquisition_stamps(self):

@@ -18,6 +18,12 @@ geometry_msgs::Point32 point32_message(const Eigen::Vector3d& point) {
   return message;
 }
 
+geometry_msgs::Polygon polygon_message(const std::vector<Eigen::Vector3d>& ring) {
+  geometry_msgs::Polygon message;
+  for (const Eigen::Vector3d& corner : ring) message.points.push_back(point32_message(corner));
+  return message;
+}
+
 BoundedPlane plane_message(const Plane& plane, bool with_cells) {
   BoundedPlane message;
   message.id = plane.id;
@@ -29,8 +35,11 @@ BoundedPlane plane_message(const Plane& plane, bool with_cells) {
   const Eigen::AlignedBox3d box = bounding_box(plane);
   message.bbox_min = point_message(box.min());
   message.bbox_max = point_message(box.max());
-  for (const Eigen::Vector3d& corner : plane.outline)
-    message.outline.points.push_back(point32_message(corner));
+  for (const ribbon_mapper::Outline& outline : plane.outlines) {
+    auto& outline_message = message.outlines.emplace_back();
+    outline_message.outer = polygon_message(outline.outer);
+    for (const auto& hole : outline.holes) outline_message.holes.push_back(polygon_message(hole));
+  }
   for (int i = 0; i < 9; ++i) message.covariance[i] = plane.covariance(i / 3, i % 3);
   message.axis_u = vector_message(plane.axis_u);
   message.axis_v = vector_message(plane.axis_v);

@@ -142,10 +142,8 @@ std::vector<StampedPose> final_poses(const OfflineOptions& options, Modelling& m
   return {};
 }
 
-std::vector<Plane> with_outlines(std::vector<Plane> planes, double bridged_gap_m) {
-  for (Plane& plane : planes) {
-    if (plane.outline.empty()) plane.outline = outline_of(plane, bridged_gap_m);
-  }
+std::vector<Plane> with_outlines(std::vector<Plane> planes, const SurfaceConfig& config) {
+  for (Plane& plane : planes) plane.outlines = outlines_of(plane, config);
   return planes;
 }
 
@@ -181,8 +179,7 @@ OfflineRun model_bags(const OfflineOptions& options, const ProgressCallback& pro
   take_lines(options, modelling, run.summary, progress);
   require_ribbons(keeper, run.summary);
 
-  run.planes_before =
-      with_outlines(keeper.modeler().planes_as_built(), config.surface.bridged_gap_m);
+  run.planes_before = with_outlines(keeper.modeler().planes_as_built(), config.surface);
   const auto poses = final_poses(options, modelling, run);
   if (!poses.empty()) keeper.correct(poses);
   if (const auto text = modelling.turns.contradiction(poses)) run.summary.notes.push_back(*text);

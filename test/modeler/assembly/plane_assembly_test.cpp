@@ -126,7 +126,7 @@ TEST(AssembledPlanes, AreInTheMapFrame) {
   EXPECT_LT((T * here.centroid - there.centroid).norm(), 1e-9);
   EXPECT_NEAR(0.0, there.normal.dot(there.centroid) + there.d_m, 1e-9);
   EXPECT_EQ(here.cells.size(), there.cells.size());
-  for (const Vector& corner : there.outline) {
+  for (const Vector& corner : there.outlines.at(0).outer) {
     EXPECT_NEAR(0.0, there.normal.dot(corner) + there.d_m, 1e-9);
   }
 }

@@ -5,10 +5,10 @@
 #include <algorithm>
 #include <random>
 
-#include "eval/metrics/duplication.hpp"
-#include "eval/metrics/evops.hpp"
-#include "eval/metrics/segcomp.hpp"
-#include "test/eval/metrics/slow_segmentation.hpp"
+#include "eval/segmentation/duplication.hpp"
+#include "eval/segmentation/evops.hpp"
+#include "eval/segmentation/segcomp.hpp"
+#include "test/eval/segmentation/slow_segmentation.hpp"
 
 namespace ribbon_mapper::eval {
 namespace {

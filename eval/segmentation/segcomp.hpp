@@ -5,7 +5,7 @@
 #include <cstddef>
 #include <vector>
 
-#include "eval/metrics/overlaps.hpp"
+#include "eval/segmentation/overlaps.hpp"
 
 namespace ribbon_mapper::eval {
 

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 ribbon_mapper authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "test/eval/metrics/slow_segmentation.hpp"
+#include "test/eval/segmentation/slow_segmentation.hpp"
 
 #include <algorithm>
 

@@ -5,7 +5,7 @@
 #include <cstddef>
 #include <optional>
 
-#include "eval/metrics/overlaps.hpp"
+#include "eval/segmentation/overlaps.hpp"
 
 namespace ribbon_mapper::eval {
 

@@ -6,7 +6,7 @@
 #include <optional>
 #include <vector>
 
-#include "eval/metrics/overlaps.hpp"
+#include "eval/segmentation/overlaps.hpp"
 #include "modeler/modeler.hpp"
 #include "sim/truth/truth.hpp"
 

@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "eval/metrics/duplication.hpp"
-#include "eval/metrics/evops.hpp"
-#include "eval/metrics/segcomp.hpp"
+#include "eval/segmentation/duplication.hpp"
+#include "eval/segmentation/evops.hpp"
+#include "eval/segmentation/segcomp.hpp"
 
 namespace ribbon_mapper::eval {
 

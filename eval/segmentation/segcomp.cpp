@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 ribbon_mapper authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "eval/metrics/segcomp.hpp"
+#include "eval/segmentation/segcomp.hpp"
 
 #include <algorithm>
 #include <optional>

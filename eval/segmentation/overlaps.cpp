@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 ribbon_mapper authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "eval/metrics/overlaps.hpp"
+#include "eval/segmentation/overlaps.hpp"
 
 namespace ribbon_mapper::eval {
 namespace {

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 ribbon_mapper authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "eval/metrics/evops.hpp"
+#include "eval/segmentation/evops.hpp"
 
 #include <algorithm>
 #include <vector>

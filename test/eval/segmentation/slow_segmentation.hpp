@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "eval/metrics/evops.hpp"
+#include "eval/segmentation/evops.hpp"
 
 namespace ribbon_mapper::eval {
 

@@ -4,7 +4,7 @@
 
 #include <cstddef>
 
-#include "eval/metrics/overlaps.hpp"
+#include "eval/segmentation/overlaps.hpp"
 
 namespace ribbon_mapper::eval {
 

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 ribbon_mapper authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "eval/metrics/point_truth.hpp"
+#include "eval/segmentation/point_truth.hpp"
 
 #include <gmock/gmock.h>
 

@@ -1,0 +1,54 @@
+// SPDX-FileCopyrightText: 2026 ribbon_mapper authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "modeler/polygon/polygon_operations.hpp"
+
+#include "modeler/polygon/geos.hpp"
+
+namespace ribbon_mapper {
+namespace {
+
+/// Returns the polygons of what `operation` makes of a and b.
+template <typename Operation>
+Polygons overlay(const Polygons& a, const Polygons& b, const Operation& operation) {
+  const Geos geos;
+  const Geos::Geometry first = geos.multipolygon_of(a), second = geos.multipolygon_of(b);
+  return geos.polygons_in(geos.made(operation(geos.context(), first.get(), second.get())).get());
+}
+
+}  // namespace
+
+Polygons polygons_of(const std::vector<Ring>& rings) {
+  const Geos geos;
+  const Geos::Geometry lines = geos.lines_of(rings);
+  return geos.polygons_in(geos.made(GEOSBuildArea_r(geos.context(), lines.get())).get());
+}
+
+Polygons simplified(const Polygons& polygons, double tolerance) {
+  const Geos geos;
+  const Geos::Geometry all = geos.multipolygon_of(polygons);
+  return geos.polygons_in(
+      geos.made(GEOSTopologyPreserveSimplify_r(geos.context(), all.get(), tolerance)).get());
+}
+
+Polygons intersection(const Polygons& a, const Polygons& b) {
+  return overlay(a, b, &GEOSIntersection_r);
+}
+
+Polygons united(const Polygons& a, const Polygons& b) { return overlay(a, b, &GEOSUnion_r); }
+
+Polygons difference(const Polygons& a, const Polygons& b) {
+  return overlay(a, b, &GEOSDifference_r);
+}
+
+Polygons grown(const Polygons& polygons, double distance) {
+  constexpr int kSegmentsOfACurve = 1;
+  constexpr double kLongestMitre = 2.0;
+  const Geos geos;
+  const Geos::Geometry all = geos.multipolygon_of(polygons);
+  return geos.polygons_in(
+      geos.made(GEOSBufferWithStyle_r(geos.context(), all.get(), distance, kSegmentsOfACurve,
+                                      GEOSBUF_CAP_FLAT, GEOSBUF_JOIN_MITRE, kLongestMitre))
+          .get());
+}
+
+}  // namespace ribbon_mapper
