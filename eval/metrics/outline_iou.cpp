@@ -9,28 +9,6 @@
 #include "modeler/surface/surface_config.hpp"
 
 namespace ribbon_mapper::eval {
-namespace {
-
-/// Returns a ring in metres along the axes of a plane.
-Ring projected(const std::vector<Eigen::Vector3d>& ring, const Plane& plane) {
-  Ring points;
-  for (const Eigen::Vector3d& corner : ring) {
-    const Eigen::Vector3d offset = corner - plane.origin;
-    points.emplace_back(offset.dot(plane.axis_u), offset.dot(plane.axis_v));
-  }
-  return points;
-}
-
-Polygons projected(const std::vector<Outline>& outlines, const Plane& plane) {
-  Polygons polygons;
-  for (const Outline& outline : outlines) {
-    Polygon& polygon = polygons.emplace_back(Polygon{projected(outline.outer, plane), {}});
-    for (const auto& hole : outline.holes) polygon.holes.push_back(projected(hole, plane));
-  }
-  return polygons;
-}
-
-}  // namespace
 
 std::optional<double> outline_iou(const std::vector<Plane>& estimates,
                                   const std::vector<Plane>& truth,
@@ -46,7 +24,7 @@ std::optional<double> outline_iou(const std::vector<Plane>& estimates,
   }
   for (const Match& match : matches) {
     const Polygons& seen = areas[match.truth];
-    const Polygons estimate = projected(estimates[match.estimate].outlines, truth[match.truth]);
+    const Polygons estimate = areas_of(truth[match.truth], estimates[match.estimate].outlines);
     const double shared = area(intersection(seen, estimate));
     weighted += area(seen) * shared / (area(seen) + area(estimate) - shared);
   }

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <optional>
 
+#include "modeler/assembly/corner_lines.hpp"
 #include "modeler/assembly/pieces.hpp"
 #include "modeler/assembly/point_assignment.hpp"
 #include "modeler/assembly/spurious_planes.hpp"
@@ -14,6 +15,10 @@
 
 namespace ribbon_mapper {
 namespace {
+
+/// Largest distance of an outline from the line where its plane meets another: at the edge, a cell
+/// may be seen in part, and the next one not at all.
+constexpr double kCornerReachInCells = 2.0;
 
 /// Returns false if a hypothesis has too few ribbons, or if the area of all its samples is less
 /// than `area_m2` even if each lies in a cell of its own.
@@ -181,6 +186,7 @@ std::vector<Plane> assembled_planes(const std::vector<Hypothesis>& hypotheses,
   std::vector<Plane> planes =
       finished(std::move(surfaces), gates, config.min_area_m2, observations, bridged_gap_m, config);
   for (Plane& plane : planes) plane.outlines = outlines_of(plane, surface_config);
+  join_at_corner_lines(planes, kCornerReachInCells * surface_config.cell_size_m);
   return planes;
 }
 

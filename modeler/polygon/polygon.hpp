@@ -19,6 +19,9 @@ struct Polygon {
 /// Areas that do not overlap.
 using Polygons = std::vector<Polygon>;
 
+/// Returns the distance of a point from polygons: 0 inside, infinite if there are none.
+double distance(const Polygons& polygons, const Eigen::Vector2d& point);
+
 /// Returns the area inside a ring: positive if the ring is counter-clockwise, negative otherwise.
 double signed_area(const Ring& ring);
 

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "modeler/polygon/polygon_operations.hpp"
 
+#include <algorithm>
+
 #include "modeler/polygon/geos.hpp"
 
 namespace ribbon_mapper {
@@ -28,6 +30,16 @@ Polygons simplified(const Polygons& polygons, double tolerance) {
   const Geos::Geometry all = geos.multipolygon_of(polygons);
   return geos.polygons_in(
       geos.made(GEOSTopologyPreserveSimplify_r(geos.context(), all.get(), tolerance)).get());
+}
+
+bool is_valid(const Polygon& polygon) {
+  const auto is_ring = [](const Ring& ring) { return ring.size() >= 3; };
+  if (!is_ring(polygon.outer) ||
+      !std::all_of(polygon.holes.begin(), polygon.holes.end(), is_ring)) {
+    return false;
+  }
+  const Geos geos;
+  return GEOSisValid_r(geos.context(), geos.multipolygon_of({polygon}).get()) == 1;
 }
 
 Polygons intersection(const Polygons& a, const Polygons& b) {

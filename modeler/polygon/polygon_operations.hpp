@@ -9,8 +9,8 @@
 namespace ribbon_mapper {
 
 // By GEOS (https://libgeos.org). All of these return polygons that are valid by the OGC's Simple
-// Features. They throw std::invalid_argument if a ring has less than three points or one that is not
-// finite, and std::runtime_error with its reason if GEOS refuses.
+// Features. They throw std::invalid_argument if a ring has less than three points or one that is
+// not finite, and std::runtime_error with its reason if GEOS refuses.
 
 /// Returns the areas that are inside an odd number of rings. Rings must not touch each other.
 Polygons polygons_of(const std::vector<Ring>& rings);
@@ -18,6 +18,9 @@ Polygons polygons_of(const std::vector<Ring>& rings);
 /// Returns polygons with fewer corners, whose boundaries are within `tolerance` of the former ones.
 /// Holes and parts remain, and none overlap.
 Polygons simplified(const Polygons& polygons, double tolerance);
+
+/// Returns true if the rings of a polygon do not intersect themselves or each other.
+bool is_valid(const Polygon& polygon);
 
 /// Returns the area that is in both.
 Polygons intersection(const Polygons& a, const Polygons& b);

@@ -44,6 +44,12 @@ std::vector<Eigen::Vector3d> on_plane(const Plane& plane, const Ring& ring) {
   return points;
 }
 
+Ring on_axes(const Plane& plane, const std::vector<Eigen::Vector3d>& points) {
+  Ring ring;
+  for (const Eigen::Vector3d& point : points) ring.push_back(on_axes(plane, point));
+  return ring;
+}
+
 }  // namespace
 
 Polygons seen_area(const Plane& plane, double stripe_gap_m, double tolerance_m) {
@@ -64,6 +70,18 @@ std::vector<Outline> outlines_of(const Plane& plane, const SurfaceConfig& config
     for (const Ring& hole : polygon.holes) outline.holes.push_back(on_plane(plane, hole));
   }
   return outlines;
+}
+
+Polygon area_of(const Plane& plane, const Outline& outline) {
+  Polygon polygon{on_axes(plane, outline.outer), {}};
+  for (const auto& hole : outline.holes) polygon.holes.push_back(on_axes(plane, hole));
+  return polygon;
+}
+
+Polygons areas_of(const Plane& plane, const std::vector<Outline>& outlines) {
+  Polygons areas;
+  for (const Outline& outline : outlines) areas.push_back(area_of(plane, outline));
+  return areas;
 }
 
 }  // namespace ribbon_mapper

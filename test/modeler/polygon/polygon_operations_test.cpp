@@ -61,6 +61,21 @@ TEST(Polygons, GrowAndShrinkWithCorners) {
   EXPECT_TRUE(grown(kSquare, -3.0).empty());
 }
 
+TEST(Polygons, HaveADistanceFromPoints) {
+  const Polygons ring{{box(0, 0, 4, 4), {box(1, 1, 2, 2)}}};
+  EXPECT_DOUBLE_EQ(0.0, distance(ring, {0.5, 2.0}));
+  EXPECT_DOUBLE_EQ(0.75, distance(ring, {2.0, 1.75}));  // in the hole
+  EXPECT_DOUBLE_EQ(5.0, distance(ring, {7.0, 8.0}));
+  EXPECT_TRUE(std::isinf(distance({}, {0.0, 0.0})));
+}
+
+TEST(Polygons, AreValidIfTheirRingsDoNotIntersect) {
+  EXPECT_TRUE(is_valid(kSquare[0]));
+  EXPECT_FALSE(is_valid({{{0, 0}, {1, 1}, {1, 0}, {0, 1}}, {}}));
+  EXPECT_FALSE(is_valid({box(0, 0, 4, 4), {box(3, 3, 2, 2)}}));
+  EXPECT_FALSE(is_valid({{{0, 0}, {1, 1}}, {}}));
+}
+
 TEST(Polygons, ThatAreNoneSayWhy) {
   const double nan = std::numeric_limits<double>::quiet_NaN();
   const Polygons bad{{{{0, 0}, {nan, 0}, {0, 1}}, {}}};
