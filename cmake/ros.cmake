@@ -16,7 +16,7 @@ if(catkin_FOUND)
     tf2_ros=libtf2-ros-dev topic_tools=libtopic-tools-dev
     visualization_msgs=libvisualization-msgs-dev)
 endif()
-ribbon_mapper_part(ROS "the ROS nodes" PARTS IO LIBRARIES ${libraries})
+ribbon_mapper_part(ROS "the ROS nodes" PARTS IO MESH LIBRARIES ${libraries})
 if(NOT RIBBON_MAPPER_HAS_ROS)
   return()
 endif()
