@@ -21,8 +21,8 @@ std::uint8_t channel(double offset, double hue, double saturation, double value)
 
 Colour plane_colour(std::int64_t id) {
   constexpr double kGoldenRatio = 0.618033988749895;  // distributes any number of hues evenly
-  constexpr std::array<double, 3> kSaturations{0.85, 0.60, 0.95};
-  constexpr std::array<double, 3> kValues{0.90, 0.95, 0.65};
+  constexpr std::array<double, 3> kSaturations{0.62, 0.45, 0.70};
+  constexpr std::array<double, 3> kValues{0.86, 0.93, 0.68};
   const double turns = static_cast<double>(id) * kGoldenRatio;
   const double hue = turns - std::floor(turns);
   const auto tone = static_cast<std::size_t>(((id % 3) + 3) % 3);

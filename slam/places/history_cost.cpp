@@ -24,7 +24,9 @@ HistoryCost history_cost(const PosedLines& lines, const std::vector<std::uint32_
     }
   }
   cost.total = settings.registration.min_ribbons * static_cast<double>(cost.planes);
-  if (length_m > 0.0) cost.total += unexplained_m / length_m * ribbons;
+  if (length_m == 0.0) return cost;
+  cost.ribbon_m = length_m / ribbons;
+  cost.total += unexplained_m / cost.ribbon_m;
   return cost;
 }
 

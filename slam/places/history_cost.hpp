@@ -18,6 +18,7 @@ namespace ribbon_mapper::slam {
 struct HistoryCost {
   std::size_t planes = 0;       ///< number of planes
   std::size_t unexplained = 0;  ///< number of ribbons on no plane
+  double ribbon_m = 0.0;        ///< mean length of the ribbons
   double total = 0.0;           ///< [ribbons]
 };
 

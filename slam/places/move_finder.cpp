@@ -177,9 +177,12 @@ void MoveFinder::judge(const Question& question, const std::vector<PlaceMove>& m
     return;
   }
   if (finding_.move && finding_.move->gain_m >= gain_m) return;
-  finding_.move = FoundMove{move.T_start_start, seam,
+  finding_.move = FoundMove{move.T_start_start,
+                            seam,
                             last_seen(lines, question.range, move.T_start_start, scene, gates),
-                            gain_m, finding_.doubt};
+                            gain_m,
+                            now.pierced_m - moved.pierced_m,
+                            finding_.doubt};
 }
 
 }  // namespace ribbon_mapper::slam

@@ -17,6 +17,7 @@ struct FoundMove {
   Seam seam;                ///< where lines cease to fit unmoved
   std::uint32_t last_seen;  ///< line that saw the known walls for the last time
   double gain_m;            ///< length of ribbons that it makes known
+  double freed_m;           ///< length of ribbons that are no longer seen through known walls
   std::string evidence;     ///< the figures
 };
 

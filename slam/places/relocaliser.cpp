@@ -99,8 +99,11 @@ bool Relocaliser::choose(const Finding& finding, PosedLines& lines, const Odomet
   for (const Candidate& candidate : histories) {
     PosedLines history = history_with(candidate, lines, noise);
     const HistoryCost after = history_cost(history, compared, settings_);
-    if (after.total >= least) continue;
-    least = after.total, best = std::move(history), chosen = &candidate;
+    // Ribbons seen through known walls contradict them: they are not explained either.
+    const bool is_move = candidate.kind == Decision::Kind::found && before.ribbon_m > 0.0;
+    const double total = after.total - (is_move ? finding.move->freed_m / before.ribbon_m : 0.0);
+    if (total >= least) continue;
+    least = total, best = std::move(history), chosen = &candidate;
     figures = text_of(before, after);
   }
   if (chosen == nullptr) return false;

@@ -15,6 +15,9 @@ namespace {
 /// moved.
 constexpr double kWhiteBehind_m = 0.02;
 
+/// White planes are pale, so that coloured ones show through them, as in figure 8 of the paper.
+constexpr float kWhiteAlpha = 0.35F;
+
 visualization_msgs::Marker triangles(const std_msgs::Header& header, const std::string& ns,
                                      std::int64_t id) {
   visualization_msgs::Marker marker;
@@ -93,7 +96,9 @@ visualization_msgs::MarkerArray white_markers(const std::vector<Plane>& planes, 
   visualization_msgs::Marker marker = triangles(header, "before_correction", 0);
   for (const Plane& plane : planes)
     add_surface(plane, stripe_gap_m, {255, 255, 255}, kWhiteBehind_m, marker);
-  for (std_msgs::ColorRGBA& colour : marker.colors) colour.a = 0.6F;
+  // rviz takes the transparency of the marker, other viewers that of each triangle.
+  for (std_msgs::ColorRGBA& colour : marker.colors) colour.a = kWhiteAlpha;
+  marker.color.a = kWhiteAlpha;
   if (marker.points.empty()) marker.action = visualization_msgs::Marker::DELETE;
   visualization_msgs::MarkerArray array;
   array.markers.push_back(std::move(marker));
