@@ -7,12 +7,18 @@
 #include <utility>
 
 #include "modeler/surface/cell_grid.hpp"
+#include "modeler/surface/surface.hpp"
 
 namespace ribbon_mapper {
 namespace {
 
 /// Difference between the ids of successive pieces of a plane: far above any hypothesis' id.
 constexpr std::int64_t kPieceIdStep = 1'000'000;
+
+/// The same for the tops of furniture, above that of pieces.
+constexpr std::int64_t kTopIdStep = 1'000'000'000;
+constexpr double kTopHeight_m = 0.2;          // above the ground: no robot drives there
+constexpr double kTopCosine = 0.98480775301;  // cosine of 10 degrees
 
 /// Returns the component of the cell in the middle of the ribbon's samples.
 int component_of(const PosedRibbon& ribbon, const Plane& plane,
@@ -43,7 +49,46 @@ bool are_level(const Hypothesis& larger, const Hypothesis& smaller, const Associ
 /// Returns the length of a strip with the variance of the piece along its larger extent.
 double length_m(const Hypothesis& piece) { return std::sqrt(12.0 * piece.fit().variances[2]); }
 
+/// Returns the hypothesis whose middle is nearest to that of a piece.
+Hypothesis& nearest_to(const Hypothesis& piece, std::vector<Hypothesis>& hypotheses) {
+  const auto distance = [&](const Hypothesis& other) {
+    return (other.fit().mean - piece.fit().mean).squaredNorm();
+  };
+  return *std::min_element(
+      hypotheses.begin(), hypotheses.end(),
+      [&](const Hypothesis& a, const Hypothesis& b) { return distance(a) < distance(b); });
+}
+
 }  // namespace
+
+bool is_top(const Hypothesis& hypothesis, const PosedObservations& observations) {
+  const Eigen::Vector3d normal = observations.T_map_model().linear() * hypothesis.normal();
+  if (normal.z() < kTopCosine) return false;
+  const auto is_high = [&](const Member& member) {
+    return observations.source(member.ribbon).moments.mean().z() > kTopHeight_m;
+  };
+  return std::all_of(hypothesis.members().begin(), hypothesis.members().end(), is_high);
+}
+
+std::vector<Hypothesis> divide_tops(const Hypothesis& whole, const Plane& plane, double gap_m,
+                                    double min_area_m2, const PosedObservations& observations) {
+  std::vector<Hypothesis> tops, small;
+  for (Hypothesis& piece : split(whole, plane, gap_m, observations)) {
+    if (piece.members().empty()) continue;
+    const Surface surface(piece, observations, plane.cell_size_m);
+    (surface.plane().area_m2 >= min_area_m2 ? tops : small).push_back(std::move(piece));
+  }
+  if (tops.size() < 2) return {whole};
+  for (std::size_t i = 0; i < tops.size(); ++i) {
+    tops[i].id = whole.id + static_cast<std::int64_t>(i) * kTopIdStep;
+  }
+  std::vector<Hypothesis> united = tops;
+  for (const Hypothesis& piece : small) {
+    const auto into = &nearest_to(piece, tops) - tops.data();
+    united[static_cast<std::size_t>(into)].absorb(piece);
+  }
+  return united;
+}
 
 std::vector<Hypothesis> split(const Hypothesis& whole, const Plane& plane, double gap_m,
                               const PosedObservations& observations) {

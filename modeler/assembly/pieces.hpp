@@ -15,6 +15,17 @@ namespace ribbon_mapper {
 std::vector<Hypothesis> split(const Hypothesis& whole, const Plane& plane, double gap_m,
                               const PosedObservations& observations);
 
+/// Returns true if a hypothesis is level, seen from above, and everywhere more than 0.2 m above the
+/// ground on which the robot stood: the top of a table, a bed or a shelf.
+bool is_top(const Hypothesis& hypothesis, const PosedObservations& observations);
+
+/// Divides the tops of several pieces of furniture at gaps wider than `gap_m`, if at least two
+/// parts have `min_area_m2`. Smaller parts stay with the large one whose middle is nearest. Returns
+/// one hypothesis for each top, the first of which keeps the id. `plane` holds the cells of
+/// `whole`.
+std::vector<Hypothesis> divide_tops(const Hypothesis& whole, const Plane& plane, double gap_m,
+                                    double min_area_m2, const PosedObservations& observations);
+
 /// Unites the pieces of a plane that agree within the gates. Returns one hypothesis for each group.
 ///
 /// Two adjacent objects at different heights may have been taken for one slightly tilted plane. So

@@ -135,9 +135,20 @@ class Assembly {
   /// Adds the surfaces of the parts between gaps that are too wide to be bridged.
   void add_connected(const Hypothesis& group, Surface surface) {
     const auto parts = split(group, surface.plane(), surface_config_.bridged_gap_m, observations_);
-    if (parts.size() == 1) return surfaces_.push_back(std::move(surface));
+    if (parts.size() == 1) return add_tops(group, std::move(surface));
     for (const Hypothesis& part : parts) {
-      if (auto connected = surface_of(part)) surfaces_.push_back(std::move(*connected));
+      if (auto connected = surface_of(part)) add_tops(part, std::move(*connected));
+    }
+  }
+
+  /// Adds a surface; the tops of several pieces of furniture one by one.
+  void add_tops(const Hypothesis& whole, Surface surface) {
+    if (!is_top(whole, observations_)) return surfaces_.push_back(std::move(surface));
+    const auto tops = divide_tops(whole, surface.plane(), surface_config_.stripe_gap_m,
+                                  config_.min_area_m2, observations_);
+    if (tops.size() == 1) return surfaces_.push_back(std::move(surface));
+    for (const Hypothesis& top : tops) {
+      surfaces_.emplace_back(top, observations_, surface_config_.cell_size_m);
     }
   }
 

@@ -29,6 +29,7 @@ struct Scan {
   std::vector<int> faces;            ///< index into World::faces() that the beam hit, -1 for none
   std::vector<float> true_ranges_m;  ///< without noise, +inf: no return
   std::vector<Ray> rays;             ///< of the beams, in map, each at its own time
+  double ground_m = 0.0;             ///< height of the ground below the robot in map
 };
 
 /// The model of range noise, named after its source.

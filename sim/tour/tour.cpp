@@ -70,8 +70,10 @@ std::optional<Scan> Tour::next_scan() {
 }
 
 Scan Tour::scan(std::size_t line) const {
-  return state_->hokuyo.scan(state_->world, stamp_of_line(line, state_->hokuyo),
-                             [this](Time time) { return state_->T_map_laser(time); });
+  Scan scan = state_->hokuyo.scan(state_->world, stamp_of_line(line, state_->hokuyo),
+                                  [this](Time time) { return state_->T_map_laser(time); });
+  scan.ground_m = true_T_map_base(scan.stamp).translation().z();
+  return scan;
 }
 
 Scan Tour::base_scan(std::size_t line) const {

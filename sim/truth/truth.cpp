@@ -5,6 +5,7 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <set>
 
 #include "sim/truth/hit_grid.hpp"
@@ -17,6 +18,9 @@ using Eigen::Vector3d;
 
 constexpr double kCell_m = 0.05;
 constexpr double kMaxGap_m = 1.0;
+constexpr double kMaxTopGap_m = 0.3;          // on table tops and the like: not bridged by lines
+constexpr double kTopHeight_m = 0.2;          // above the ground: no robot drives there
+constexpr double kTopCosine = 0.98480775301;  // cosine of 10 degrees
 constexpr double kSameNormalCosine = 0.99996192;  // cosine of 0.5 degrees
 constexpr double kSameOffset_m = 0.01;
 
@@ -26,6 +30,7 @@ struct Group {
   double d_m;
   Vector3d u_axis, v_axis;
   HitGrid hits;
+  double least_height_m = std::numeric_limits<double>::infinity();  // above the ground
 
   Group(const Vector3d& normal_, double d) : normal(normal_), d_m(d) {
     const Vector3d level = normal.cross(Vector3d::UnitZ());
@@ -35,7 +40,8 @@ struct Group {
   }
 
   /// Adds a hit and returns the number of its cell, which is `next_number` at its first hit.
-  int add(const Vector3d& point, int face, int next_number) {
+  int add(const Vector3d& point, int face, double ground_m, int next_number) {
+    least_height_m = std::min(least_height_m, point.z() - ground_m);
     const auto u = static_cast<std::int32_t>(std::floor(point.dot(u_axis) / kCell_m));
     const auto v = static_cast<std::int32_t>(std::floor(point.dot(v_axis) / kCell_m));
     return hits.add(u, v, face, next_number);
@@ -66,8 +72,15 @@ struct Group {
     return plane;
   }
 
-  std::vector<std::vector<HitCell>> patches() const {
-    return linked_patches(hits.cells(), kMaxGap_m / kCell_m);
+  std::vector<std::vector<HitCell>> patches(double min_cells) const {
+    auto patches = linked_patches(hits.cells(), kMaxGap_m / kCell_m);
+    if (normal.z() < kTopCosine || least_height_m < kTopHeight_m) return patches;
+    std::vector<std::vector<HitCell>> tops;
+    for (const std::vector<HitCell>& patch : patches) {
+      for (auto& top : divided(patch, kMaxTopGap_m / kCell_m, min_cells))
+        tops.push_back(std::move(top));
+    }
+    return tops;
   }
 };
 
@@ -88,10 +101,10 @@ struct TruthCollector::State {
 
   std::vector<TruthPlane> planes(double min_area_m2) const {
     std::vector<TruthPlane> planes;
+    const double min_cells = (min_area_m2 - 1e-9) / (kCell_m * kCell_m);
     for (const Group& group : groups)
-      for (const auto& patch : group.patches())
-        if (static_cast<double>(patch.size()) * kCell_m * kCell_m >= min_area_m2 - 1e-9)
-          planes.push_back(group.plane(patch));
+      for (const auto& patch : group.patches(min_cells))
+        if (static_cast<double>(patch.size()) >= min_cells) planes.push_back(group.plane(patch));
     std::stable_sort(planes.begin(), planes.end(), [](const TruthPlane& a, const TruthPlane& b) {
       return a.cells.size() > b.cells.size();
     });
@@ -109,12 +122,13 @@ TruthCollector::TruthCollector(const World& world) : state_(new State{world, {},
 
 TruthCollector::~TruthCollector() = default;
 
-int TruthCollector::add(const Vector3d& point_map, const Vector3d& origin_map, int face) {
+int TruthCollector::add(const Vector3d& point_map, const Vector3d& origin_map, int face,
+                        double ground_m) {
   if (face < 0 || !state_->world.faces()[face].planar) return -1;
   const Face& hit = state_->world.faces()[face];
   const bool from_outside = hit.normal.dot(origin_map) + hit.d_m >= 0.0;
   Group& group = state_->groups[from_outside ? state_->outer[face] : state_->inner[face]];
-  const int number = group.add(point_map, face, state_->cell_count);
+  const int number = group.add(point_map, face, ground_m, state_->cell_count);
   state_->cell_count += number == state_->cell_count ? 1 : 0;
   return number;
 }
@@ -124,7 +138,8 @@ std::vector<int> TruthCollector::add(const Scan& scan) {
   for (std::size_t i = 0; i < scan.faces.size(); ++i) {
     if (scan.faces[i] < 0) continue;
     const Ray& ray = scan.rays[i];
-    numbers[i] = add(ray.origin + scan.true_ranges_m[i] * ray.direction, ray.origin, scan.faces[i]);
+    numbers[i] = add(ray.origin + scan.true_ranges_m[i] * ray.direction, ray.origin, scan.faces[i],
+                     scan.ground_m);
   }
   return numbers;
 }

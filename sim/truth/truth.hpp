@@ -35,15 +35,18 @@ class TruthCollector {
   ~TruthCollector();
 
   /// Adds a hit without noise, in map; `face` is that of World::cast(), -1 is ignored. The beam's
-  /// origin decides which side was seen: the sides of a thin wall are separate planes. Returns the
-  /// number of the cell, the same at each hit, or -1 if the hit is not on a planar face.
-  int add(const Eigen::Vector3d& point_map, const Eigen::Vector3d& origin_map, int face);
+  /// origin decides which side was seen: the sides of a thin wall are separate planes. The robot
+  /// stands at the height `ground_m`. Returns the number of the cell, the same at each hit, or -1
+  /// if the hit is not on a planar face.
+  int add(const Eigen::Vector3d& point_map, const Eigen::Vector3d& origin_map, int face,
+          double ground_m = 0.0);
 
   /// Adds all hits of a scan. Returns the number of each beam's cell, -1 as above.
   std::vector<int> add(const Scan& scan);
 
-  /// Returns the planes seen so far, largest first. A smaller `min_area_m2` returns small patches,
-  /// too.
+  /// Returns the planes seen so far, largest first. Gaps of up to 1 m are bridged, and of up to 0.3
+  /// m on level surfaces above the ground: two tables are two planes. A smaller `min_area_m2`
+  /// returns small patches, too.
   std::vector<TruthPlane> planes(double min_area_m2 = 0.5) const;
 
  private:

@@ -86,7 +86,39 @@ void unite_across_gaps(const std::vector<HitCell>& cells, const std::vector<int>
       }
 }
 
+struct Middle {
+  double u, v;
+};
+
+Middle middle_of(const std::vector<HitCell>& patch) {
+  Middle sum{0.0, 0.0};
+  for (const HitCell& cell : patch) sum.u += cell.u, sum.v += cell.v;
+  const auto count = static_cast<double>(patch.size());
+  return {sum.u / count, sum.v / count};
+}
+
 }  // namespace
+
+std::vector<std::vector<HitCell>> divided(const std::vector<HitCell>& patch, double max_gap_cells,
+                                          double min_cells) {
+  std::vector<std::vector<HitCell>> large, small;
+  for (auto& part : linked_patches(patch, max_gap_cells)) {
+    (static_cast<double>(part.size()) >= min_cells ? large : small).push_back(std::move(part));
+  }
+  if (large.size() < 2) return {patch};
+  std::vector<Middle> middles;
+  for (const auto& part : large) middles.push_back(middle_of(part));
+  for (const auto& part : small) {
+    const Middle own = middle_of(part);
+    const auto distance = [&](const Middle& m) { return std::hypot(m.u - own.u, m.v - own.v); };
+    const auto nearest = std::min_element(
+        middles.begin(), middles.end(),
+        [&](const Middle& a, const Middle& b) { return distance(a) < distance(b); });
+    auto& into = large[static_cast<std::size_t>(nearest - middles.begin())];
+    into.insert(into.end(), part.begin(), part.end());
+  }
+  return large;
+}
 
 std::vector<std::vector<HitCell>> linked_patches(std::vector<HitCell> cells, double max_gap_cells) {
   std::sort(cells.begin(), cells.end(), [](const HitCell& a, const HitCell& b) {

@@ -19,4 +19,9 @@ struct HitCell {
 /// belong together. Neither the patches nor the cells in them depend on the order of `cells`.
 std::vector<std::vector<HitCell>> linked_patches(std::vector<HitCell> cells, double max_gap_cells);
 
+/// Divides a patch at gaps wider than `max_gap_cells` if at least two of the parts have
+/// `min_cells`. Smaller parts stay with the large one whose middle is nearest.
+std::vector<std::vector<HitCell>> divided(const std::vector<HitCell>& patch, double max_gap_cells,
+                                          double min_cells);
+
 }  // namespace ribbon_mapper::sim

@@ -91,6 +91,18 @@ TEST(Truth, GapsOfUpToAMetreAreBridged) {
   EXPECT_EQ(planes_with_gap(1.1), 2U);
 }
 
+TEST(Truth, TopsOfFurnitureAreBridgedAsFarAsLinesLeaveGaps) {
+  const auto planes = [](double gap_m, double z_m) {
+    const World world = world_of(sdf_block("a", {-2, 1, z_m - 0.05}, {0, 2, z_m}) +
+                                 sdf_block("b", {gap_m, 1, z_m - 0.05}, {2, 2, z_m}));
+    return seen_from(world, {Vector3d(0.0, 0.0, z_m + 1.0)}).size();
+  };
+  EXPECT_EQ(planes(0.25, 0.75), 1U);
+  EXPECT_EQ(planes(0.40, 0.75), 2U) << "two tables of one height";
+  EXPECT_EQ(planes(0.40, 0.10), 1U) << "floor";
+  EXPECT_EQ(planes(1.60, 0.75), 1U) << "one is too small: 0.4 m2, and far";
+}
+
 TEST(Truth, PatchesOfHalfASquareMetreOrMore) {
   const auto planes_of = [](double side_m, double min_area_m2) {
     const World world = world_of(sdf_block("board", {0, 2, 0.5}, {side_m, 2.1, 0.5 + side_m}));

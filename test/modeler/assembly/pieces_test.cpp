@@ -41,6 +41,45 @@ TEST(Split, SplitsAtWideGaps) {
   EXPECT_NEAR(3.0, pieces[1].fit().mean.x(), 1e-6);
 }
 
+/// Returns two table tops of 2 m2 and 1 m2 in line, 0.5 m apart, and a third of 0.2 m2 between them.
+Scene tables(double z_m) {
+  Scene scene;
+  scene.add(patch({1.0, 0.0, z_m}, Vector::UnitX(), 2.0 * Vector::UnitY()));
+  scene.add(patch({2.5, 0.0, z_m}, Vector::UnitX(), Vector::UnitY()));
+  scene.add(patch({2.5, 1.42, z_m}, Vector::UnitX(), 0.2 * Vector::UnitY()));
+  return scene;
+}
+
+std::vector<Hypothesis> tops_of(const Scene& scene, double min_area_m2) {
+  const Hypothesis whole = scene.whole();
+  const Surface surface(whole, scene.observations(), SurfaceConfig{}.cell_size_m);
+  return divide_tops(whole, surface.plane(), SurfaceConfig{}.stripe_gap_m, min_area_m2,
+                     scene.observations());
+}
+
+TEST(DivideTops, MakesATopOfEachLargePart) {
+  const auto tops = tops_of(tables(0.75), 0.5);
+  ASSERT_EQ(2u, tops.size());
+  EXPECT_EQ(0, tops[0].id);
+  EXPECT_NE(0, tops[1].id);
+  EXPECT_NEAR(1.5, tops[0].fit().mean.x(), 1e-6);
+  EXPECT_NEAR(3.0, tops[1].fit().mean.x(), 1e-6);
+  EXPECT_GT(tops[1].fit().mean.y(), 0.51) << "the small part is with the nearer table";
+}
+
+TEST(DivideTops, KeepsATopOfWhichOnePartIsLarge) {
+  EXPECT_EQ(1u, tops_of(tables(0.75), 1.5).size());
+  EXPECT_EQ(tables(0.75).whole().members().size(), tops_of(tables(0.75), 1.5)[0].members().size());
+}
+
+TEST(IsTop, IsTrueForLevelSurfacesAboveTheGround) {
+  EXPECT_TRUE(is_top(tables(0.75).whole(), tables(0.75).observations()));
+  EXPECT_FALSE(is_top(tables(0.0).whole(), tables(0.0).observations()));
+  Scene wall;
+  wall.add(patch({1.0, 0.0, 1.0}, Vector::UnitZ(), Vector::UnitY()));
+  EXPECT_FALSE(is_top(wall.whole(), wall.observations()));
+}
+
 TEST(GroupAgreeing, UnitesPiecesWhoseFitsAgree) {
   const AssociationGates gates{2.0, 0.03};
   EXPECT_EQ(1u, group_agreeing(pieces_of(two_patches(0.0), 0.3), gates, 0.5).size());
