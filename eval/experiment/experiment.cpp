@@ -45,7 +45,7 @@ LineLog drive(sim::Tour& tour, Modeler& modeler, SelfClosure* closure, Truth& tr
     LineResult result = LineResult::modelled;
     log.line_s.push_back(wall_seconds_of([&] { result = modeler.add_scan_line(beams, poses); }));
     log.total_s += log.line_s.back();
-    if (closure != nullptr) closure->update();
+    if (closure != nullptr) closure->update(tour, middle_of(beams));
     log.dropped += is_dropped(result) ? 1 : 0;
     truth.add(*scan);
     progress({log.line_s.size(), tour.line_count(), modeler.statistics().ribbons,
@@ -94,7 +94,8 @@ Results run_experiment(const sim::World& world, const sim::Route& route,
   Modeler modeler(modeler_config);
   Truth truth(world);
   std::optional<SelfClosure> self;
-  if (closure == Closure::self) self.emplace(modeler, modeler_config);
+  if (closure != Closure::truth)
+    self.emplace(modeler, modeler_config, closure == Closure::self_with_base_laser);
   const LineLog log = drive(tour, modeler, self ? &*self : nullptr, truth, progress);
 
   Results results;

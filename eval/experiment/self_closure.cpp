@@ -4,14 +4,29 @@
 
 #include <algorithm>
 
+#include "eval/experiment/scan_conversion.hpp"
 #include "modeler/program/stopwatch.hpp"
 
 namespace ribbon_mapper::eval {
 
-void SelfClosure::update() {
+void SelfClosure::update(const sim::Tour& tour, Time now) {
+  if (with_base_laser_) take_base_scans(tour, now);
   const double seconds = cpu_seconds_of([&] { estimate_.update(); });
   updates_s_ += seconds;
   longest_update_s_ = std::max(longest_update_s_, seconds);
+}
+
+/// Takes the scans that begin up to `now`. A line needs no later ones, and a robot would not have
+/// them.
+void SelfClosure::take_base_scans(const sim::Tour& tour, Time now) {
+  for (; base_lines_ < tour.base_line_count(); ++base_lines_) {
+    const Time stamp = tour.base_scan_stamp(base_lines_);
+    if (stamp > now) return;
+    if (!base_laser_.is_due(stamp, tour.T_odom_base(stamp))) continue;  // its rays are most work
+    const LaserBeams beams = beams_of(tour.base_scan(base_lines_));
+    const LinePoses poses = base_laser_poses(tour, beams);
+    base_laser_s_ += cpu_seconds_of([&] { base_laser_.add_scan(beams, poses); });
+  }
 }
 
 std::vector<StampedPose> SelfClosure::finish(const sim::Tour& tour) {

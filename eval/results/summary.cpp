@@ -126,6 +126,7 @@ Json to_json(const RunOptions& run) {
             {"deskew", value_or_null(run.deskew)},
             {"drift", run.drift},
             {"seed", run.seed}};
+  if (run.base_laser) json["base_laser"] = true;
   if (run.visuals) json["visuals"] = true;
   if (!run.odometry_faults.empty()) json["odometry_faults"] = run.odometry_faults;
   return json;

@@ -81,8 +81,12 @@ Scan Tour::base_scan(std::size_t line) const {
       [&](Time time) { return state_->route.T_map_base(time) * T_base_laser; });
 }
 
+Time Tour::base_scan_stamp(std::size_t line) const {
+  return stamp_of_line(line, state_->base_hokuyo);
+}
+
 Time Tour::base_scan_end(std::size_t line) const {
-  return stamp_of_line(line, state_->base_hokuyo) + state_->base_hokuyo.sweep_time();
+  return base_scan_stamp(line) + state_->base_hokuyo.sweep_time();
 }
 
 Pose Tour::true_T_map_base(Time time) const { return state_->route.T_map_base(time); }

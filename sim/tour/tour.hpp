@@ -57,6 +57,8 @@ class Tour {
 
   /// Returns any line of the base laser, counted from 0. For several threads at once.
   Scan base_scan(std::size_t line) const;
+  /// Returns the time of the first beam of a line of the base laser.
+  Time base_scan_stamp(std::size_t line) const;
   /// Returns the time of the last beam of a line of the base laser.
   Time base_scan_end(std::size_t line) const;
 

@@ -17,6 +17,7 @@ bool PosedLines::keep_in_step() {
     if (std::binary_search(stamps.begin(), stamps.end(), stamps_[line])) kept.push_back(line);
   }
   T_start_base_.keep(kept);
+  if (odometry_ != nullptr) T_odom_base_.keep(kept);
   std::set<std::uint32_t> slips;  // the step to the next line that is left holds the wrong one
   for (const std::uint32_t slip : slips_) {
     slips.insert(static_cast<std::uint32_t>(std::lower_bound(kept.begin(), kept.end(), slip) -
@@ -47,6 +48,9 @@ void PosedLines::add_next() {
   const std::uint32_t line = size();
   stamps_.push_back(observations_->trajectory().recorded().stamps()[line]);
   T_start_base_.push_back(Pose::Identity());
+  if (odometry_ != nullptr) {
+    T_odom_base_.push_back(odometry_->T_odom_base(stamps_.back(), recorded_T_odom_base(line)));
+  }
   first_ribbons_.push_back(end_of_line(line));
 }
 

@@ -11,17 +11,20 @@
 #include "modeler/observations/posed_ribbon.hpp"
 #include "modeler/registration/odometry_noise.hpp"
 #include "modeler/registration/plane_observation.hpp"
+#include "slam/lines/odometry_source.hpp"
 
 namespace ribbon_mapper::slam {
 
 /// The lines of some observations with their estimated poses, in a frame called `start`: that of
 /// the first line.
 ///
-/// Besides the observations, a line takes 68 bytes.
+/// Besides the observations, a line takes 68 bytes, and 56 more with a source of the odometry.
 class PosedLines {
  public:
-  /// Starts without lines. `observations` must outlive this.
-  explicit PosedLines(const Observations& observations) : observations_(&observations) {}
+  /// Starts without lines. `observations` must outlive this, and so must `odometry`, which takes
+  /// the place of the recorded one unless it is null.
+  explicit PosedLines(const Observations& observations, const OdometrySource* odometry = nullptr)
+      : observations_(&observations), odometry_(odometry) {}
 
   /// Follows observations that were thinned since: forgets the lines that they have no longer. Must
   /// be called before lines are added. Returns true if they were thinned.
@@ -53,7 +56,7 @@ class PosedLines {
   Pose T_start_base(std::size_t line) const { return T_start_base_[line]; }
   /// Returns the pose of a line by odometry.
   Pose T_odom_base(std::size_t line) const {
-    return observations_->trajectory().recorded().T_odom_base()[line];
+    return odometry_ != nullptr ? T_odom_base_[line] : recorded_T_odom_base(line);
   }
   /// Returns the motion of the base by odometry from the line before; none at the first line.
   Pose step(std::size_t line) const;
@@ -75,11 +78,16 @@ class PosedLines {
                                          const RangeNoise& ranges) const;
 
  private:
+  Pose recorded_T_odom_base(std::size_t line) const {
+    return observations_->trajectory().recorded().T_odom_base()[line];
+  }
   std::uint32_t end_of_line(std::uint32_t line) const;
 
   const Observations* observations_;
+  const OdometrySource* odometry_;
   std::vector<Time> stamps_;
   PackedPoses T_start_base_;
+  PackedPoses T_odom_base_;                      // of the source, if there is one
   std::vector<std::uint32_t> first_ribbons_{0};  // of each line, and their number
   std::size_t ribbons_seen_ = 0;
   std::set<std::uint32_t> slips_;  // lines
