@@ -86,5 +86,33 @@ TEST(PosedLines, ForgetASlipThatIsTakenBack) {
   EXPECT_FALSE(lines.is_slip(7));
 }
 
+/// Twice the way, and a count of the questions.
+class TwiceTheWay : public OdometrySource {
+ public:
+  Pose T_odom_base(Time, const Pose& recorded) const override {
+    ++questions;
+    return Pose(Eigen::Translation3d(2.0 * recorded.translation()));
+  }
+  mutable int questions = 0;
+};
+
+TEST(PosedLines, TakeTheStepsOfASourceAndAskItOncePerLine) {
+  Observations observations({});
+  for (const int ribbons : {3, 3, 3, 3}) add_line(observations, ribbons);
+  const TwiceTheWay source;
+  PosedLines lines(observations, &source);
+  EXPECT_FALSE(lines.keep_in_step());
+  while (lines.has_next()) lines.add_next();
+  EXPECT_TRUE(lines.step(2).isApprox(planar_pose(2.0, 0.0, 0.0)));
+  EXPECT_EQ(source.questions, 4);
+  observations.thin(4);
+  ASSERT_TRUE(lines.keep_in_step());
+  for (std::uint32_t i = 0; i < lines.size(); ++i) {
+    const double number = static_cast<double>(lines.stamp(i).count()) / 1e6;
+    EXPECT_DOUBLE_EQ(lines.T_odom_base(i).translation().x(), 2.0 * number);
+  }
+  EXPECT_EQ(source.questions, 4);
+}
+
 }  // namespace
 }  // namespace ribbon_mapper::slam
