@@ -34,16 +34,19 @@ void require_usable(const LaserBeams& beams, const LinePoses& poses, const Level
 LevelOdometry::LevelOdometry(const LevelOdometryConfig& config)
     : config_(config), tracker_(config.tracker, config.match, config.odometry) {}
 
+bool LevelOdometry::has_moved(const MatchedScan& since, const PlanarPose& recorded) const {
+  const PlanarPose step = relative(since.recorded, recorded);
+  return step.translation().norm() > config_.moved_m || std::abs(step.yaw_rad) > config_.moved_rad;
+}
+
 bool LevelOdometry::is_due(Time stamp, const Pose& T_odom_base) const {
-  if (refined_.empty()) return true;
-  const Pose step = T_odom_last_.inverse(Eigen::Isometry) * T_odom_base;
-  return step.translation().norm() > config_.moved_m || angle_of(step) > config_.moved_rad ||
-         stamp - refined_.back().stamp > from_seconds(config_.patience_s);
+  return scans_.empty() || has_moved(scans_.back(), in_plane(T_odom_base)) ||
+         stamp - scans_.back().stamp > from_seconds(config_.patience_s);
 }
 
 void LevelOdometry::add_scan(const LaserBeams& beams, const LinePoses& poses) {
   require_usable(beams, poses, config_.scan);
-  if (!refined_.empty() && beams.stamp <= refined_.back().stamp)
+  if (!scans_.empty() && beams.stamp <= scans_.back().stamp)
     throw std::invalid_argument("a level scan is not later than the one before: leave it out");
   if (!is_due(beams.stamp, poses.T_odom_base_first)) return;
   const PlanarPose recorded = in_plane(poses.T_odom_base_first);
@@ -51,27 +54,34 @@ void LevelOdometry::add_scan(const LaserBeams& beams, const LinePoses& poses) {
       level_scan_of(beams, poses.T_base_laser_first,
                     relative(recorded, in_plane(poses.T_odom_base_last)), config_.scan);
   const TrackedScan tracked = tracker_.add(scan, recorded);
-  if (refined_.empty()) T_refined_start_ = recorded;
-  const PlanarPose refined = T_refined_start_ *
-                             tracker_.keyframes()[tracked.keyframe].T_track_base *
-                             tracked.T_keyframe_base;
-  refined_.push_back({beams.stamp, refined * inverse(recorded)});
-  T_odom_last_ = poses.T_odom_base_first;
+  if (scans_.empty()) T_odom_start_ = recorded;
+  const PlanarPose refined =
+      T_odom_start_ * tracker_.keyframes()[tracked.keyframe].T_track_base * tracked.T_keyframe_base;
+  const bool is_sure =
+      tracked.agreeing >= config_.tracker.lost_below && tracked.observed >= config_.open_below;
+  scans_.push_back({beams.stamp, recorded, refined * inverse(recorded), is_sure});
 }
 
-Pose LevelOdometry::T_odom_base(Time stamp, const Pose& recorded) const {
+bool LevelOdometry::is_refined(const MatchedScan& last, Time stamp,
+                               const PlanarPose& recorded) const {
+  return last.is_sure &&
+         (stamp - last.stamp <= from_seconds(config_.gap_s) || !has_moved(last, recorded));
+}
+
+RefinedPose LevelOdometry::refined(Time stamp, const Pose& recorded) const {
   const auto next =
-      std::upper_bound(refined_.begin(), refined_.end(), stamp,
-                       [](Time time, const Refined& scan) { return time < scan.stamp; });
-  if (next == refined_.begin()) return recorded;
-  const Refined& last = *(next - 1);
-  if (next == refined_.end()) return in_space(last.T_refined_recorded) * recorded;
-  // The two differ little at the pose, and much at the origin of odom, if that is far away.
-  const PlanarPose pose = in_plane(recorded);
-  const PlanarPose by_last = last.T_refined_recorded * pose,
-                   by_next = next->T_refined_recorded * pose;
-  const double fraction = to_seconds(stamp - last.stamp) / to_seconds(next->stamp - last.stamp);
-  return in_space(between(by_last, by_next, fraction) * inverse(pose)) * recorded;
+      std::upper_bound(scans_.begin(), scans_.end(), stamp,
+                       [](Time time, const MatchedScan& scan) { return time < scan.stamp; });
+  if (next == scans_.begin()) return {recorded, false};
+  const MatchedScan& last = *(next - 1);
+  // Two scans move it alike near the base, but not at the origin of odom, which may be far away.
+  const PlanarPose base = in_plane(recorded), by_last = last.T_refined_recorded * base;
+  PlanarPose pose = by_last;
+  if (next != scans_.end()) {
+    const double fraction = to_seconds(stamp - last.stamp) / to_seconds(next->stamp - last.stamp);
+    pose = between(by_last, next->T_refined_recorded * base, fraction);
+  }
+  return {in_space(pose * inverse(base)) * recorded, is_refined(last, stamp, base)};
 }
 
 }  // namespace ribbon_mapper::slam

@@ -21,6 +21,13 @@ double least_information(const Eigen::Matrix3d& information) {
       .eigenvalues()(0);
 }
 
+/// Returns the least information of a position as a share of the greatest; 0 if there is none.
+double observed_share(const Eigen::Matrix3d& information) {
+  const double least = least_information(information);
+  const double most = information.topLeftCorner<2, 2>().trace() - least;
+  return most > 0.0 ? least / most : 0.0;
+}
+
 /// Returns where the points alone see the robot, from where odometry does: the match is a weighted
 /// mean of both.
 PlanarPose innovation(const Match& found, const PosePrior& prior) {
@@ -60,7 +67,8 @@ TrackedScan LevelTracker::add(const LevelScan& scan, const PlanarPose& T_odom_ba
       step.translation().norm() > kMoved_m || std::abs(step.yaw_rad) > kMoved_rad;
   if (has_moved && least_information(found.information) > kWellObserved)
     noise_.learn(step, innovation(found, prior));
-  tracked = {keyframes_.size() - 1, found.T_map_base, found.agreeing, false};
+  const double observed = observed_share(found.information);
+  tracked = {keyframes_.size() - 1, found.T_map_base, found.agreeing, false, observed};
   T_odom_last_ = T_odom_base, T_keyframe_last_ = found.T_map_base;
   const bool is_far = tracked.T_keyframe_base.translation().norm() > config_.keyframe_m ||
                       std::abs(tracked.T_keyframe_base.yaw_rad) > config_.keyframe_rad;
@@ -70,7 +78,7 @@ TrackedScan LevelTracker::add(const LevelScan& scan, const PlanarPose& T_odom_ba
       turned(noise_.information(relative(T_odom_keyframe_, T_odom_base)), found.T_map_base.yaw_rad);
   T_odom_keyframe_ = T_odom_base;
   add_keyframe(scan, tracked, found.information + odometry);
-  return {keyframes_.size() - 1, {}, found.agreeing, true};
+  return {keyframes_.size() - 1, {}, found.agreeing, true, observed};
 }
 
 Match LevelTracker::searched(const LevelPoints& points, const Match& lost, const PosePrior& prior) {

@@ -113,6 +113,10 @@ TrajectorySegment Adjustment::segment() const {
   segment.steps.push_back(Pose::Identity());  // the end is open
   set_step_variances(noise_, segment);
   for (std::uint32_t i = which_.first; i < which_.end; ++i) {
+    if (lines_.is_bare(i)) {
+      const Pose& step = segment.steps[index_of(i)];
+      segment.step_variances[index_of(i)] = lines_.noise_of(i, noise_).variances(step);
+    }
     if (lines_.is_slip(i)) segment.step_variances[index_of(i)] += slip_variances();
   }
   segment.T_frame_start = lines_.T_start_base(which_.first - 1);

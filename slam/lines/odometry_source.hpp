@@ -6,15 +6,21 @@
 
 namespace ribbon_mapper::slam {
 
+/// The base at a line, by a better odometry than the recorded one.
+struct RefinedPose {
+  Pose T_odom_base = Pose::Identity();  ///< as in odom, only the motion between two poses counts
+  /// False if the motion up to this line may be as wrong as the recorded one.
+  bool is_refined = false;
+};
+
 /// Where the motion from line to line comes from, if not from the recorded odometry.
 class OdometrySource {
  public:
   virtual ~OdometrySource() = default;
 
-  /// Returns the base in odom at a line's stamp. `recorded` is the pose that the odometry gave. As
-  /// in odom, only the motion between two poses counts. Is asked once for each line, in their
-  /// order.
-  virtual Pose T_odom_base(Time stamp, const Pose& recorded) const = 0;
+  /// Returns the base at a line's stamp. `recorded` is the pose in odom that the odometry gave. Is
+  /// asked once for each line, in their order.
+  virtual RefinedPose refined(Time stamp, const Pose& recorded) const = 0;
 
  protected:
   OdometrySource() = default;

@@ -17,7 +17,7 @@ bool PosedLines::keep_in_step() {
     if (std::binary_search(stamps.begin(), stamps.end(), stamps_[line])) kept.push_back(line);
   }
   T_start_base_.keep(kept);
-  if (odometry_ != nullptr) T_odom_base_.keep(kept);
+  if (odometry_ != nullptr) keep_steps(kept);
   std::set<std::uint32_t> slips;  // the step to the next line that is left holds the wrong one
   for (const std::uint32_t slip : slips_) {
     slips.insert(static_cast<std::uint32_t>(std::lower_bound(kept.begin(), kept.end(), slip) -
@@ -28,6 +28,19 @@ bool PosedLines::keep_in_step() {
   first_ribbons_.assign(1, 0);
   for (std::uint32_t line = 0; line < size(); ++line) first_ribbons_.push_back(end_of_line(line));
   return true;
+}
+
+/// Keeps the source's poses of some lines. A step over others is bare if one of theirs was.
+void PosedLines::keep_steps(const std::vector<std::uint32_t>& kept) {
+  T_odom_base_.keep(kept);
+  std::vector<bool> is_bare;
+  std::uint32_t line = 0;
+  for (const std::uint32_t end : kept) {
+    bool is_one_bare = false;
+    for (; line <= end; ++line) is_one_bare = is_one_bare || is_bare_[line];
+    is_bare.push_back(is_one_bare);
+  }
+  is_bare_ = std::move(is_bare);
 }
 
 std::uint32_t PosedLines::end_of_line(std::uint32_t line) const {
@@ -49,7 +62,9 @@ void PosedLines::add_next() {
   stamps_.push_back(observations_->trajectory().recorded().stamps()[line]);
   T_start_base_.push_back(Pose::Identity());
   if (odometry_ != nullptr) {
-    T_odom_base_.push_back(odometry_->T_odom_base(stamps_.back(), recorded_T_odom_base(line)));
+    const RefinedPose pose = odometry_->refined(stamps_.back(), recorded_T_odom_base(line));
+    T_odom_base_.push_back(pose.T_odom_base);
+    is_bare_.push_back(!pose.is_refined);
   }
   first_ribbons_.push_back(end_of_line(line));
 }
@@ -61,7 +76,7 @@ Pose PosedLines::step(std::size_t line) const {
 
 std::vector<PlaneObservation> PosedLines::measured(std::size_t line, const OdometryNoise& noise,
                                                    const RangeNoise& ranges) const {
-  const Vector6 motion = noise.variances_within_line(step(line));
+  const Vector6 motion = noise_of(line, noise).variances_within_line(step(line));
   std::vector<PlaneObservation> result;
   result.reserve(first_ribbons_[line + 1] - first_ribbons_[line]);
   for (std::uint32_t i = first_ribbons_[line]; i < first_ribbons_[line + 1]; ++i) {

@@ -58,6 +58,16 @@ class PosedLines {
   Pose T_odom_base(std::size_t line) const {
     return odometry_ != nullptr ? T_odom_base_[line] : recorded_T_odom_base(line);
   }
+  /// Returns true if there is a source of the odometry, and its step to a line was not refined.
+  bool is_bare(std::size_t line) const { return odometry_ != nullptr && is_bare_[line]; }
+  /// Sets the noise of steps that were not refined, as a multiple of that of refined ones. It is 1
+  /// at first.
+  void set_bare_ratio(double ratio) { bare_ratio_ = ratio; }
+  /// Returns the noise of the step to a line, given that of refined steps.
+  OdometryNoise noise_of(std::size_t line, OdometryNoise noise) const {
+    if (is_bare(line)) noise.planar_scale *= bare_ratio_;
+    return noise;
+  }
   /// Returns the motion of the base by odometry from the line before; none at the first line.
   Pose step(std::size_t line) const;
 
@@ -81,13 +91,16 @@ class PosedLines {
   Pose recorded_T_odom_base(std::size_t line) const {
     return observations_->trajectory().recorded().T_odom_base()[line];
   }
+  void keep_steps(const std::vector<std::uint32_t>& kept);
   std::uint32_t end_of_line(std::uint32_t line) const;
 
   const Observations* observations_;
   const OdometrySource* odometry_;
   std::vector<Time> stamps_;
   PackedPoses T_start_base_;
-  PackedPoses T_odom_base_;                      // of the source, if there is one
+  PackedPoses T_odom_base_;    // of the source, if there is one
+  std::vector<bool> is_bare_;  // the same
+  double bare_ratio_ = 1.0;
   std::vector<std::uint32_t> first_ribbons_{0};  // of each line, and their number
   std::size_t ribbons_seen_ = 0;
   std::set<std::uint32_t> slips_;  // lines

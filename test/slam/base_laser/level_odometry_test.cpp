@@ -35,9 +35,16 @@ struct Drive {
   }
   /// Returns the refined pose half way between a scan and the next.
   PlanarPose refined_behind(const LevelOdometry& refined, std::size_t scan) const {
-    const Pose pose = refined.T_odom_base(stamp_of(static_cast<double>(scan) + 0.5),
-                                          in_space(halfway(odometry, scan)));
+    const Pose pose =
+        refined
+            .refined(stamp_of(static_cast<double>(scan) + 0.5), in_space(halfway(odometry, scan)))
+            .T_odom_base;
     return {pose.translation().x(), pose.translation().y(), yaw_of(pose)};
+  }
+  bool is_refined_behind(const LevelOdometry& refined, std::size_t scan) const {
+    return refined
+        .refined(stamp_of(static_cast<double>(scan) + 0.5), in_space(halfway(odometry, scan)))
+        .is_refined;
   }
   /// Returns the error of the way from one scan to another.
   double error_m(const LevelOdometry& refined, std::size_t from, std::size_t to) const {
@@ -78,6 +85,8 @@ TEST(LevelOdometry, FollowsTheTruthBetweenScans) {
   ASSERT_GT(drive.error_of_odometry_m(0, last), 1.0);
   for (std::size_t scan = 0; scan <= last; ++scan) EXPECT_LT(drive.error_m(refined, 0, scan), 0.08);
   EXPECT_EQ(refined.matched(), drive.truth.size());
+  for (std::size_t scan = 0; scan <= last; ++scan)
+    EXPECT_TRUE(drive.is_refined_behind(refined, scan));
 }
 
 TEST(LevelOdometry, SameInputGivesTheSamePoses) {
@@ -95,7 +104,7 @@ TEST(LevelOdometry, HeightRollAndPitchAreTheRecordedOnes) {
                              Eigen::AngleAxisd(0.05, Eigen::Vector3d::UnitY()) *
                              Eigen::AngleAxisd(-0.03, Eigen::Vector3d::UnitX()));
   const Pose recorded = in_space(drive.odometry[70]) * Pose(tilt.matrix());
-  const Pose pose = refined.T_odom_base(stamp_of(70.0), recorded);
+  const Pose pose = refined.refined(stamp_of(70.0), recorded).T_odom_base;
   EXPECT_GT((pose.translation() - recorded.translation()).head<2>().norm(), 0.05);
   EXPECT_NEAR(pose.translation().z(), 0.2, 1e-12);
   EXPECT_TRUE(pose.linear().row(2).isApprox(recorded.linear().row(2), 1e-12));
@@ -104,7 +113,7 @@ TEST(LevelOdometry, HeightRollAndPitchAreTheRecordedOnes) {
 TEST(LevelOdometry, WithoutScansIsTheRecordedOne) {
   const LevelOdometry refined{LevelOdometryConfig()};
   const Pose recorded = planar_pose(1.0, 2.0, 0.3);
-  EXPECT_EQ(refined.T_odom_base(stamp_of(0.0), recorded).matrix(), recorded.matrix());
+  EXPECT_EQ(refined.refined(stamp_of(0.0), recorded).T_odom_base.matrix(), recorded.matrix());
   EXPECT_EQ(refined.matched(), 0U);
 }
 
@@ -117,6 +126,8 @@ TEST(LevelOdometry, IsTheRecordedOneBeforeTheFirstScan) {
   EXPECT_LT(distance_m(drive.refined_behind(refined, 60), Drive::halfway(drive.odometry, 60)),
             0.02);
   EXPECT_LT(drive.error_m(refined, 60, drive.truth.size() - 2), 0.08);
+  EXPECT_FALSE(drive.is_refined_behind(refined, 59));
+  EXPECT_TRUE(drive.is_refined_behind(refined, 60));
 }
 
 TEST(LevelOdometry, MovesAsTheRecordedOneAfterTheLastScan) {
@@ -129,6 +140,7 @@ TEST(LevelOdometry, MovesAsTheRecordedOneAfterTheLastScan) {
   const PlanarPose recorded =
       relative(Drive::halfway(drive.odometry, 100), Drive::halfway(drive.odometry, 150));
   EXPECT_LT((step.vector() - recorded.vector()).norm(), 1e-9);
+  EXPECT_FALSE(drive.is_refined_behind(refined, 102));
 }
 
 TEST(LevelOdometry, GoesOnAfterScansThatAreMissing) {
@@ -137,6 +149,8 @@ TEST(LevelOdometry, GoesOnAfterScansThatAreMissing) {
   const LevelOdometry refined = refined_by(drive);
   EXPECT_LT(drive.error_m(refined, 0, drive.truth.size() - 2), 0.08);
   EXPECT_LT(drive.error_m(refined, 0, 70), 0.08);
+  EXPECT_FALSE(drive.is_refined_behind(refined, 70));
+  EXPECT_TRUE(drive.is_refined_behind(refined, 82));
 }
 
 TEST(LevelOdometry, StaysTheRecordedOneInTheOpen) {
@@ -147,6 +161,7 @@ TEST(LevelOdometry, StaysTheRecordedOneInTheOpen) {
       (drive.refined_behind(refined, last).vector() - Drive::halfway(drive.odometry, last).vector())
           .norm(),
       1e-9);
+  EXPECT_FALSE(drive.is_refined_behind(refined, last));
 }
 
 TEST(LevelOdometry, AlongABareCorridorTheRecordedWayStays) {
@@ -159,6 +174,8 @@ TEST(LevelOdometry, AlongABareCorridorTheRecordedWayStays) {
   EXPECT_NEAR(way.x_m, recorded_m, 0.005 * recorded_m);
   EXPECT_NEAR(way.y_m, 0.0, 0.02);
   EXPECT_NEAR(way.yaw_rad, 0.0, 0.005);
+  for (std::size_t scan = 1; scan <= last; ++scan)
+    EXPECT_FALSE(drive.is_refined_behind(refined, scan));
 }
 
 TEST(LevelOdometry, ShowsThatARobotWasPushed) {
@@ -167,6 +184,7 @@ TEST(LevelOdometry, ShowsThatARobotWasPushed) {
     drive.truth.push_back(i < 20 ? PlanarPose{} : PlanarPose{0.2, 0.1, 0.1});
   const LevelOdometry refined = refined_by(drive);
   EXPECT_LT(drive.error_m(refined, 0, 38), 0.02);
+  EXPECT_TRUE(drive.is_refined_behind(refined, 18));
   EXPECT_LT(refined.matched(), 10U);  // the other scans of a robot that stands are not needed
 }
 

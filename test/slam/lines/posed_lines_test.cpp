@@ -89,9 +89,10 @@ TEST(PosedLines, ForgetASlipThatIsTakenBack) {
 /// Twice the way, and a count of the questions.
 class TwiceTheWay : public OdometrySource {
  public:
-  Pose T_odom_base(Time, const Pose& recorded) const override {
+  RefinedPose refined(Time, const Pose& recorded) const override {
     ++questions;
-    return Pose(Eigen::Translation3d(2.0 * recorded.translation()));
+    return {Pose(Eigen::Translation3d(2.0 * recorded.translation())),
+            recorded.translation().x() != 1.0};
   }
   mutable int questions = 0;
 };
@@ -105,6 +106,11 @@ TEST(PosedLines, TakeTheStepsOfASourceAndAskItOncePerLine) {
   while (lines.has_next()) lines.add_next();
   EXPECT_TRUE(lines.step(2).isApprox(planar_pose(2.0, 0.0, 0.0)));
   EXPECT_EQ(source.questions, 4);
+  EXPECT_TRUE(lines.is_bare(1));
+  EXPECT_FALSE(lines.is_bare(2));
+  lines.set_bare_ratio(3.0);
+  EXPECT_DOUBLE_EQ(lines.noise_of(1, {}).planar_scale, 3.0);
+  EXPECT_DOUBLE_EQ(lines.noise_of(2, {}).planar_scale, 1.0);
   observations.thin(4);
   ASSERT_TRUE(lines.keep_in_step());
   for (std::uint32_t i = 0; i < lines.size(); ++i) {

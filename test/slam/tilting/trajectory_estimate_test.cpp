@@ -174,7 +174,9 @@ class TrueMotion : public OdometrySource {
       T_map_base_[pose.stamp] = pose.T_map_base;
     }
   }
-  Pose T_odom_base(Time stamp, const Pose&) const override { return T_map_base_.at(stamp); }
+  RefinedPose refined(Time stamp, const Pose&) const override {
+    return {T_map_base_.at(stamp), true};
+  }
 
  private:
   std::map<Time, Pose> T_map_base_;
