@@ -16,12 +16,12 @@ void SelfClosure::update(const sim::Tour& tour, Time now) {
   longest_update_s_ = std::max(longest_update_s_, seconds);
 }
 
-/// Takes the scans that begin up to `now`. A line needs no later ones, and a robot would not have
-/// them.
+/// Takes the scans up to the first one that begins after `now`, which is all that a line needs.
 void SelfClosure::take_base_scans(const sim::Tour& tour, Time now) {
   for (; base_lines_ < tour.base_line_count(); ++base_lines_) {
     const Time stamp = tour.base_scan_stamp(base_lines_);
-    if (stamp > now) return;
+    if (newest_base_scan_ > now) return;
+    newest_base_scan_ = stamp;
     if (!base_laser_.is_due(stamp, tour.T_odom_base(stamp))) continue;  // its rays are most work
     const LaserBeams beams = beams_of(tour.base_scan(base_lines_));
     const LinePoses poses = base_laser_poses(tour, beams);
@@ -31,8 +31,7 @@ void SelfClosure::take_base_scans(const sim::Tour& tour, Time now) {
 
 std::vector<StampedPose> SelfClosure::finish(const sim::Tour& tour) {
   finish_s_ = cpu_seconds_of([&] { estimate_.finish(); });
-  const Pose T_map_odom =
-      tour.true_T_map_base(Time(0)) * tour.T_odom_base(Time(0)).inverse(Eigen::Isometry);
+  const Pose T_map_odom = tour.T_map_odom_at_start();
   std::vector<StampedPose> poses = estimate_.trajectory();
   for (StampedPose& pose : poses) pose.T_map_base = T_map_odom * pose.T_map_base;
   covariances_s_ = cpu_seconds_of([&] { covariances_ = estimate_.covariances(); });

@@ -44,6 +44,7 @@ class SelfClosure {
   bool with_base_laser_;
   slam::LevelOdometry base_laser_{slam::LevelOdometryConfig()};
   std::size_t base_lines_ = 0;  // taken
+  Time newest_base_scan_{-1};   // stamp of the last of these
   slam::TrajectoryEstimate estimate_;
   std::vector<Matrix6> covariances_;
   double base_laser_s_ = 0.0, updates_s_ = 0.0, longest_update_s_ = 0.0, finish_s_ = 0.0,

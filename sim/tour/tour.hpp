@@ -69,6 +69,8 @@ class Tour {
   Velocity true_velocity(Time time) const;
   /// Returns the pose by odometry, with its drift.
   Pose T_odom_base(Time time) const;
+  /// Returns the true pose of odom in map at the start. The drift moves it later.
+  Pose T_map_odom_at_start() const;
   /// Returns the correction by the simulated SLAM.
   Pose T_map_odom(Time time) const;
   /// Returns the pose by odometry and SLAM: T_map_odom * T_odom_base.

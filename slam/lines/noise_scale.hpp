@@ -15,15 +15,13 @@ namespace ribbon_mapper::slam {
 class NoiseScale {
  public:
   /// Starts with assumed scales, see OdometryNoise. They count as much as 20 s of driving.
-  NoiseScale(double planar, double spatial) : planar_(planar), bare_(planar), spatial_(spatial) {}
+  NoiseScale(double planar, double spatial) : planar_(planar), spatial_(spatial) {}
 
   /// Takes lines [first, end) into account, whose poses are adjusted.
   void learn(const PosedLines& lines, std::uint32_t first, std::uint32_t end);
 
-  /// Returns the odometry's noise as it was learnt: that of refined steps, if some are refined.
+  /// Returns the odometry's noise as it was learnt.
   OdometryNoise noise() const;
-  /// Returns the noise in the plane of steps that were not refined, as a multiple of noise().
-  double bare_ratio() const { return bare_.value() / planar_.value(); }
 
  private:
   /// A scale by what was assumed and measured.
@@ -38,7 +36,7 @@ class NoiseScale {
     double square_sum_ = 0.0;
     double spans_ = 0.0;
   };
-  Mean planar_, bare_, spatial_;
+  Mean planar_, spatial_;
 };
 
 }  // namespace ribbon_mapper::slam
