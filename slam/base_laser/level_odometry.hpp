@@ -26,21 +26,17 @@ struct LevelOdometryConfig {
   /// A scan is also matched after so much time [s]: the base may have been pushed.
   double patience_s = 0.5;
 
-  /// After so much time without a scan [s], a moving base counts as not refined: four scans of the
+  /// After so much time without a scan [s], a moving base counts as not seen: four scans of the
   /// PR2's laser, of which one may be dropped.
   double gap_s = 0.1;
-
-  /// If the points say so much less of the position in one direction than in another, it is open,
-  /// and the motion counts as not refined. The normals of a straight wall scatter by 0.04 rad,
-  /// which feigns a share of 0.0015 along a corridor.
-  double open_below = 0.01;
 };
 
 /// Odometry whose motion in the plane is corrected by the points of a level laser.
 ///
 /// Each scan is tracked against the keyframes of the last metres, see LevelTracker; the odometry is
-/// the prior, which remains where points leave a direction open. Between two scans the motion is
-/// the odometry's, and the difference is spread evenly. Height, roll and pitch are the odometry's.
+/// the prior, which remains where points leave a direction open, and so does its noise there.
+/// Between two scans the motion is the odometry's, and the difference is spread evenly. Height,
+/// roll and pitch are the odometry's.
 class LevelOdometry : public OdometrySource {
  public:
   /// Starts without scans: the odometry as it is.
@@ -56,9 +52,12 @@ class LevelOdometry : public OdometrySource {
   void add_scan(const LaserBeams& beams, const LinePoses& poses);
 
   /// Returns the refined pose. Before the first scan, it is the recorded one; after the last one,
-  /// the recorded motion is added. It counts as refined if the last scan determines the pose, and
-  /// was just now, or the base has not moved since.
-  RefinedPose refined(Time stamp, const Pose& recorded) const override;
+  /// the recorded motion is added.
+  Pose T_odom_base(Time stamp, const Pose& recorded) const override;
+
+  /// Returns the covariance by the points. Two scans that are a keyframe apart err independently;
+  /// what lies between shares this evenly by its way. A motion over missing scans is not measured.
+  Eigen::Matrix3d step_covariance(Time from, Time to, const Pose& step) const override;
 
   /// Returns the number of scans that were matched, the first among them.
   std::size_t matched() const { return scans_.size(); }
@@ -68,13 +67,16 @@ class LevelOdometry : public OdometrySource {
  private:
   /// A scan that was matched.
   struct MatchedScan {
-    Time stamp{0};
-    PlanarPose recorded;            // base in odom
+    Time stamp{0};                  // of its middle
+    PlanarPose recorded;            // base in odom, at the first beam
     PlanarPose T_refined_recorded;  // takes a pose from the recorded odom to the refined one
-    bool is_sure = true;            // the points determine the pose
+    Eigen::Matrix3d covariance = Eigen::Matrix3d::Zero();  // of a motion between two keyframes
+    bool is_gap = true;  // it is not known how the base has moved since the scan before
   };
   bool has_moved(const MatchedScan& since, const PlanarPose& recorded) const;
-  bool is_refined(const MatchedScan& last, Time stamp, const PlanarPose& recorded) const;
+  bool is_gap(Time stamp, const PlanarPose& recorded) const;
+  /// Returns the first scan after a time.
+  std::vector<MatchedScan>::const_iterator after(Time stamp) const;
 
   LevelOdometryConfig config_;
   LevelTracker tracker_;

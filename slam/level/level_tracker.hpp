@@ -43,9 +43,9 @@ struct TrackedScan {
   PlanarPose T_keyframe_base;  ///< pose as seen from it
   double agreeing = 1.0;       ///< share of points that agree with the map
   bool is_keyframe = false;    ///< whether this scan is the keyframe
-  /// Information of the position by the points, in the direction that has least of it, as a share
-  /// of that which has most: near 0 in a corridor.
-  double observed = 1.0;
+  /// Of x, y and yaw by the points alone, along the axes of the base. It is zero in directions that
+  /// they leave open, such as along a corridor.
+  Eigen::Matrix3d information = Eigen::Matrix3d::Zero();
 };
 
 /// Follows the robot: odometry predicts, and each scan is matched against the latest keyframes.

@@ -54,18 +54,15 @@ void NoiseScale::learn(const PosedLines& lines, std::uint32_t first, std::uint32
     if (lines.seconds_between(start, i) < kSpan_s) continue;
     TrajectorySegment span;
     bool has_slip = false;
-    std::size_t bare_steps = 0;
     for (std::uint32_t k = start + 1; k <= i; ++k) {
-      span.steps.push_back(lines.step(k));
+      span.steps.push_back(lines.recorded_step(k));
       has_slip = has_slip || lines.is_slip(k);
-      bare_steps += lines.is_bare(k) ? 1 : 0;
     }
     span.T_frame_start = lines.T_start_base(start), span.T_frame_end = lines.T_start_base(i);
     start = i;
     if (has_slip || is_still(span)) continue;
     const OdometryNoise fitted = fitted_noise({span});
-    if (bare_steps == 0) planar_.add(fitted.planar_scale);
-    if (bare_steps == span.steps.size()) bare_.add(fitted.planar_scale);
+    planar_.add(fitted.planar_scale);
     spatial_.add(fitted.spatial_scale);
   }
 }

@@ -6,21 +6,21 @@
 
 namespace ribbon_mapper::slam {
 
-/// The base at a line, by a better odometry than the recorded one.
-struct RefinedPose {
-  Pose T_odom_base = Pose::Identity();  ///< as in odom, only the motion between two poses counts
-  /// False if the motion up to this line may be as wrong as the recorded one.
-  bool is_refined = false;
-};
-
 /// Where the motion from line to line comes from, if not from the recorded odometry.
 class OdometrySource {
  public:
   virtual ~OdometrySource() = default;
 
-  /// Returns the base at a line's stamp. `recorded` is the pose in odom that the odometry gave. Is
-  /// asked once for each line, in their order.
-  virtual RefinedPose refined(Time stamp, const Pose& recorded) const = 0;
+  /// Returns the base at a line's stamp. `recorded` is the pose in odom that the odometry gave. As
+  /// in odom, only the motion between two poses counts. Is asked once for each line, in their
+  /// order.
+  virtual Pose T_odom_base(Time stamp, const Pose& recorded) const = 0;
+
+  /// Returns the covariance of a motion's error in the plane by what this source has measured alone
+  /// [m2, m rad, rad2], along the axes of the base before it. `step` is the motion from one line to
+  /// another as of T_odom_base(). 1 m2 or 1 rad2 stand for what was not measured: there, the motion
+  /// is as uncertain as the recorded one.
+  virtual Eigen::Matrix3d step_covariance(Time from, Time to, const Pose& step) const = 0;
 
  protected:
   OdometrySource() = default;

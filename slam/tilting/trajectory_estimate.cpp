@@ -38,7 +38,6 @@ void TrajectoryEstimate::learn_noise(std::uint32_t first_of_window) {
   if (first_of_window <= settled_ + 1) return;
   noise_scale_.learn(lines_, settled_, first_of_window);
   noise_ = noise_scale_.noise();
-  lines_.set_bare_ratio(noise_scale_.bare_ratio());
   settled_ = first_of_window - 1;
 }
 

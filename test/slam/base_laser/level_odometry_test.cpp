@@ -6,13 +6,15 @@
 
 #include <functional>
 #include <limits>
+#include <random>
 
 #include "test/slam/matching/wall_world.hpp"
 
 namespace ribbon_mapper::slam {
 namespace {
 
-constexpr double kPeriod_s = 0.1;  // from scan to scan
+constexpr double kPeriod_s = 0.1;            // from scan to scan
+constexpr double kSeen = 0.01, kOpen = 0.3;  // standard deviations of a step [m, rad]
 
 Time stamp_of(double scan) { return from_seconds(10.0 + kPeriod_s * scan); }
 
@@ -23,11 +25,15 @@ struct Drive {
   WallWorld world;
   std::vector<PlanarPose> truth, odometry;
   std::function<bool(std::size_t scan)> has_scan = [](std::size_t) { return true; };
+  double noise_m = 0.0;  // of ranges
 
   void feed(LevelOdometry& odometry_of_both) const {
+    std::mt19937 random(1);
+    std::normal_distribution<double> normal;
     for (std::size_t i = 0; i < truth.size(); ++i) {
       if (!has_scan(i)) continue;
       LaserBeams beams = world.beams(truth[i]);
+      for (float& range : beams.ranges_m) range += static_cast<float>(noise_m * normal(random));
       beams.stamp = stamp_of(static_cast<double>(i));
       const Pose T_odom_base = in_space(odometry[i]);
       odometry_of_both.add_scan(beams, {T_odom_base, T_odom_base});
@@ -35,16 +41,20 @@ struct Drive {
   }
   /// Returns the refined pose half way between a scan and the next.
   PlanarPose refined_behind(const LevelOdometry& refined, std::size_t scan) const {
-    const Pose pose =
-        refined
-            .refined(stamp_of(static_cast<double>(scan) + 0.5), in_space(halfway(odometry, scan)))
-            .T_odom_base;
+    const Pose pose = refined.T_odom_base(stamp_of(static_cast<double>(scan) + 0.5),
+                                          in_space(halfway(odometry, scan)));
     return {pose.translation().x(), pose.translation().y(), yaw_of(pose)};
   }
-  bool is_refined_behind(const LevelOdometry& refined, std::size_t scan) const {
+  /// Returns the standard deviations of the way from half way before a scan to half way behind it,
+  /// by the scans.
+  Eigen::Vector3d sigmas_at(const LevelOdometry& refined, std::size_t scan) const {
+    const PlanarPose step =
+        relative(refined_behind(refined, scan - 1), refined_behind(refined, scan));
     return refined
-        .refined(stamp_of(static_cast<double>(scan) + 0.5), in_space(halfway(odometry, scan)))
-        .is_refined;
+        .step_covariance(stamp_of(static_cast<double>(scan) - 0.5),
+                         stamp_of(static_cast<double>(scan) + 0.5), in_space(step))
+        .diagonal()
+        .cwiseSqrt();
   }
   /// Returns the error of the way from one scan to another.
   double error_m(const LevelOdometry& refined, std::size_t from, std::size_t to) const {
@@ -85,8 +95,8 @@ TEST(LevelOdometry, FollowsTheTruthBetweenScans) {
   ASSERT_GT(drive.error_of_odometry_m(0, last), 1.0);
   for (std::size_t scan = 0; scan <= last; ++scan) EXPECT_LT(drive.error_m(refined, 0, scan), 0.08);
   EXPECT_EQ(refined.matched(), drive.truth.size());
-  for (std::size_t scan = 0; scan <= last; ++scan)
-    EXPECT_TRUE(drive.is_refined_behind(refined, scan));
+  for (std::size_t scan = 1; scan <= last; ++scan)
+    EXPECT_LT(drive.sigmas_at(refined, scan).maxCoeff(), kSeen);
 }
 
 TEST(LevelOdometry, SameInputGivesTheSamePoses) {
@@ -104,7 +114,7 @@ TEST(LevelOdometry, HeightRollAndPitchAreTheRecordedOnes) {
                              Eigen::AngleAxisd(0.05, Eigen::Vector3d::UnitY()) *
                              Eigen::AngleAxisd(-0.03, Eigen::Vector3d::UnitX()));
   const Pose recorded = in_space(drive.odometry[70]) * Pose(tilt.matrix());
-  const Pose pose = refined.refined(stamp_of(70.0), recorded).T_odom_base;
+  const Pose pose = refined.T_odom_base(stamp_of(70.0), recorded);
   EXPECT_GT((pose.translation() - recorded.translation()).head<2>().norm(), 0.05);
   EXPECT_NEAR(pose.translation().z(), 0.2, 1e-12);
   EXPECT_TRUE(pose.linear().row(2).isApprox(recorded.linear().row(2), 1e-12));
@@ -113,7 +123,7 @@ TEST(LevelOdometry, HeightRollAndPitchAreTheRecordedOnes) {
 TEST(LevelOdometry, WithoutScansIsTheRecordedOne) {
   const LevelOdometry refined{LevelOdometryConfig()};
   const Pose recorded = planar_pose(1.0, 2.0, 0.3);
-  EXPECT_EQ(refined.refined(stamp_of(0.0), recorded).T_odom_base.matrix(), recorded.matrix());
+  EXPECT_EQ(refined.T_odom_base(stamp_of(0.0), recorded).matrix(), recorded.matrix());
   EXPECT_EQ(refined.matched(), 0U);
 }
 
@@ -126,8 +136,8 @@ TEST(LevelOdometry, IsTheRecordedOneBeforeTheFirstScan) {
   EXPECT_LT(distance_m(drive.refined_behind(refined, 60), Drive::halfway(drive.odometry, 60)),
             0.02);
   EXPECT_LT(drive.error_m(refined, 60, drive.truth.size() - 2), 0.08);
-  EXPECT_FALSE(drive.is_refined_behind(refined, 59));
-  EXPECT_TRUE(drive.is_refined_behind(refined, 60));
+  EXPECT_GT(drive.sigmas_at(refined, 60).minCoeff(), kOpen);
+  EXPECT_LT(drive.sigmas_at(refined, 61).maxCoeff(), kSeen);
 }
 
 TEST(LevelOdometry, MovesAsTheRecordedOneAfterTheLastScan) {
@@ -140,7 +150,8 @@ TEST(LevelOdometry, MovesAsTheRecordedOneAfterTheLastScan) {
   const PlanarPose recorded =
       relative(Drive::halfway(drive.odometry, 100), Drive::halfway(drive.odometry, 150));
   EXPECT_LT((step.vector() - recorded.vector()).norm(), 1e-9);
-  EXPECT_FALSE(drive.is_refined_behind(refined, 102));
+  EXPECT_LT(drive.sigmas_at(refined, 100).maxCoeff(), kSeen);
+  EXPECT_GT(drive.sigmas_at(refined, 102).minCoeff(), kOpen);
 }
 
 TEST(LevelOdometry, GoesOnAfterScansThatAreMissing) {
@@ -149,8 +160,9 @@ TEST(LevelOdometry, GoesOnAfterScansThatAreMissing) {
   const LevelOdometry refined = refined_by(drive);
   EXPECT_LT(drive.error_m(refined, 0, drive.truth.size() - 2), 0.08);
   EXPECT_LT(drive.error_m(refined, 0, 70), 0.08);
-  EXPECT_FALSE(drive.is_refined_behind(refined, 70));
-  EXPECT_TRUE(drive.is_refined_behind(refined, 82));
+  EXPECT_GT(drive.sigmas_at(refined, 70).minCoeff(), kOpen);
+  EXPECT_GT(drive.sigmas_at(refined, 81).minCoeff(), kOpen) << "what was missed is put right here";
+  EXPECT_LT(drive.sigmas_at(refined, 82).maxCoeff(), kSeen);
 }
 
 TEST(LevelOdometry, StaysTheRecordedOneInTheOpen) {
@@ -161,21 +173,26 @@ TEST(LevelOdometry, StaysTheRecordedOneInTheOpen) {
       (drive.refined_behind(refined, last).vector() - Drive::halfway(drive.odometry, last).vector())
           .norm(),
       1e-9);
-  EXPECT_FALSE(drive.is_refined_behind(refined, last));
+  EXPECT_GT(drive.sigmas_at(refined, last).minCoeff(), kOpen);
 }
 
 TEST(LevelOdometry, AlongABareCorridorTheRecordedWayStays) {
-  const Drive drive = along(WallWorld::corridor());
+  Drive drive = along(WallWorld::corridor());
+  drive.noise_m = 0.01;  // feigns that the way is seen, and drags
   const LevelOdometry refined = refined_by(drive);
   const std::size_t last = drive.truth.size() - 2;
   const PlanarPose way =
       relative(drive.refined_behind(refined, 0), drive.refined_behind(refined, last));
   const double recorded_m = 0.1 * static_cast<double>(last) * 1.04;
-  EXPECT_NEAR(way.x_m, recorded_m, 0.005 * recorded_m);
-  EXPECT_NEAR(way.y_m, 0.0, 0.02);
-  EXPECT_NEAR(way.yaw_rad, 0.0, 0.005);
-  for (std::size_t scan = 1; scan <= last; ++scan)
-    EXPECT_FALSE(drive.is_refined_behind(refined, scan));
+  EXPECT_NEAR(way.x_m, recorded_m, 1e-4 * recorded_m);
+  EXPECT_NEAR(way.y_m, 0.0, 0.1);
+  EXPECT_NEAR(way.yaw_rad, 0.0, 0.02);
+  for (std::size_t scan = 1; scan <= last; ++scan) {
+    const Eigen::Vector3d sigmas = drive.sigmas_at(refined, scan);
+    EXPECT_GT(sigmas.x(), kOpen);
+    EXPECT_LT(sigmas.y(), kSeen);
+    EXPECT_LT(sigmas.z(), kSeen);
+  }
 }
 
 TEST(LevelOdometry, ShowsThatARobotWasPushed) {
@@ -184,7 +201,7 @@ TEST(LevelOdometry, ShowsThatARobotWasPushed) {
     drive.truth.push_back(i < 20 ? PlanarPose{} : PlanarPose{0.2, 0.1, 0.1});
   const LevelOdometry refined = refined_by(drive);
   EXPECT_LT(drive.error_m(refined, 0, 38), 0.02);
-  EXPECT_TRUE(drive.is_refined_behind(refined, 18));
+  EXPECT_LT(drive.sigmas_at(refined, 18).maxCoeff(), kSeen);
   EXPECT_LT(refined.matched(), 10U);  // the other scans of a robot that stands are not needed
 }
 

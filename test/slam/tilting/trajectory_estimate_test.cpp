@@ -174,8 +174,9 @@ class TrueMotion : public OdometrySource {
       T_map_base_[pose.stamp] = pose.T_map_base;
     }
   }
-  RefinedPose refined(Time stamp, const Pose&) const override {
-    return {T_map_base_.at(stamp), true};
+  Pose T_odom_base(Time stamp, const Pose&) const override { return T_map_base_.at(stamp); }
+  Eigen::Matrix3d step_covariance(Time, Time, const Pose&) const override {
+    return 1e-8 * Eigen::Matrix3d::Identity();
   }
 
  private:
