@@ -51,8 +51,8 @@ ROOMS = {
     "modeler/ros/bag_timing": Room(_TOOLS + _ROS + ["modeler/ros/bag"], ANY),
     "modeler/ros/bag_check": Room(_TOOLS + _ROS + ["modeler/ros/bag", "modeler/ros/bag_timing"],
                                   ANY),
-    "modeler/ros/offline": Room(_TOOLS + _ROS + ["slam/places", "slam/tilting", "modeler/ros/bag",
-                                                 "modeler/ros/bag_check"], ANY),
+    "modeler/ros/offline": Room(_TOOLS + _ROS + ["slam/base_laser", "slam/places", "slam/tilting",
+                                                 "modeler/ros/bag", "modeler/ros/bag_check"], ANY),
     # The estimate of the trajectory from a level laser knows beams, and nothing of planes.
     "slam/matching": Room(["modeler/geometry", "modeler/scan"], ["Eigen", "tsl"]),
     "slam/level": Room(["modeler/geometry", "slam/matching"], ["Eigen"]),
@@ -60,7 +60,7 @@ ROOMS = {
                              "slam/lines/odometry_source.hpp"], ["Eigen"]),
     "slam/ros": Room(_TOOLS + _ROS + ["modeler/ros/bag", "modeler/ros/bag_check", "slam/matching",
                                       "slam/level"], ANY),
-    "slam/node": Room(_TOOLS + _ROS + ["slam/lines", "slam/tilting"], ANY),
+    "slam/node": Room(_TOOLS + _ROS + ["slam/base_laser", "slam/lines", "slam/tilting"], ANY),
     # The simulator has its own beam geometry, so that an error in one cannot hide in the other.
     "sim/shapes": Room(_POSE, ["Eigen", "assimp", "sys"]),
     "sim/rays": Room(_POSE + ["sim/shapes"], ["Eigen", "BulletCollision", "embree3"]),
