@@ -85,6 +85,13 @@ Summary summary_of(const LineLog& log, const sim::Tour& tour, const Modeler& mod
   return summary;
 }
 
+void add_ribbon_errors(const PointTruth& truth, const Modeler& modeler, Summary& summary) {
+  if (const auto errors = truth.ribbon_errors(modeler)) {
+    summary.ribbon_angle_deg = errors->angle_deg;
+    summary.ribbon_distance_m = errors->distance_m;
+  }
+}
+
 }  // namespace
 
 Results run_experiment(const sim::World& world, const sim::Route& route,
@@ -122,10 +129,7 @@ Results run_experiment(const sim::World& world, const sim::Route& route,
   results.summary.points = for_each_model(results.models, [&](const std::vector<Plane>& planes) {
     return point_metrics(truth.points, modeler, planes);
   });
-  if (const auto errors = truth.points.ribbon_errors(modeler)) {
-    results.summary.ribbon_angle_deg = errors->angle_deg;
-    results.summary.ribbon_distance_m = errors->distance_m;
-  }
+  add_ribbon_errors(truth.points, modeler, results.summary);
   return results;
 }
 

@@ -22,19 +22,6 @@ constexpr const char* kStopped = "time went back, ~reset is awaited";
 // Lines beyond these wait in the intake, which drops the oldest with a reason: memory is bounded.
 constexpr std::size_t kMaxLinesBehind = 5000;
 
-/// Returns the consequence of a choice, for the log.
-const char* consequence_of(OnTimeJump choice) {
-  switch (choice) {
-    case OnTimeJump::reset:
-      return "the estimate starts again (~on_time_jump reset)";
-    case OnTimeJump::stop:
-      return "the estimate stays and takes no lines until ~reset";
-    case OnTimeJump::go_on:
-      return "the estimate stays; lines older than its newest are dropped";
-  }
-  return "";
-}
-
 std::optional<BaseLaserInput> base_laser(const SlamParameters& parameters,
                                          const ros::NodeHandle& node) {
   if (parameters.base_scan.empty()) return std::nullopt;

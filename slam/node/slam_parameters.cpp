@@ -49,4 +49,16 @@ SlamParameters SlamParameters::read() {
   return p;
 }
 
+const char* consequence_of(OnTimeJump choice) {
+  switch (choice) {
+    case OnTimeJump::reset:
+      return "the estimate starts again (~on_time_jump reset)";
+    case OnTimeJump::stop:
+      return "the estimate stays and takes no lines until ~reset";
+    case OnTimeJump::go_on:
+      return "the estimate stays; lines older than its newest are dropped";
+  }
+  return "";
+}
+
 }  // namespace ribbon_mapper::slam

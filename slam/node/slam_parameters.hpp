@@ -28,4 +28,7 @@ struct SlamParameters {
   static SlamParameters read();
 };
 
+/// Returns the consequence of a choice, for the log.
+const char* consequence_of(OnTimeJump choice);
+
 }  // namespace ribbon_mapper::slam
