@@ -53,8 +53,8 @@ void BaseLaserInput::diagnose(std::size_t matched,
     report.summary(DiagnosticStatus::WARN, newest_ == Time(0)
                                                ? "no scan has come on " + topic_ + ": " + fallback
                                                : "silent: " + fallback);
-  } else if (log_.lines() > 0 && matched == 0 && log_.dropped_lines() == log_.lines()) {
-    report.summary(DiagnosticStatus::WARN, "no scan can be used: " + fallback);
+  } else if (2 * log_.dropped_lines() > log_.lines()) {
+    report.summary(DiagnosticStatus::WARN, "most scans cannot be used: " + log_.newest_drop());
   } else {
     report.summary(DiagnosticStatus::OK, matched > 0 ? "refines the odometry" : "no scans yet");
   }

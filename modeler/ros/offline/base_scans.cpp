@@ -36,9 +36,10 @@ void BaseScans::take_until(Time stamp) {
 BaseScanFigures BaseScans::figures() const {
   const BaseScanFigures figures{lines_.scan_topic(), log_.lines(), odometry_.matched(),
                                 log_.dropped_by_reason()};
-  if (figures.matched > 0) return figures;
-  std::string why = "no scan of the base laser on " + figures.topic + " could be used of " +
-                    std::to_string(figures.scans);
+  const std::size_t dropped = log_.dropped_lines();
+  if (figures.matched > 0 && 2 * dropped <= figures.scans) return figures;
+  std::string why = std::to_string(dropped) + " of " + std::to_string(figures.scans) +
+                    " scans of the base laser on " + figures.topic + " could not be used";
   for (const auto& [reason, count] : figures.dropped)
     why += "\n  " + std::to_string(count) + " x " + reason;
   throw std::runtime_error(why + "\nleave out --base-scan, or give the topic of a level laser");

@@ -36,8 +36,8 @@ class BaseScans {
   /// Returns the odometry that the scans taken so far refine.
   const slam::LevelOdometry& odometry() const { return odometry_; }
 
-  /// Returns what became of the scans. Throws std::runtime_error if none could be used, with the
-  /// reasons.
+  /// Returns what became of the scans. Throws std::runtime_error with the reasons if most could not
+  /// be used: a tilting laser is level now and then.
   BaseScanFigures figures() const;
 
  private:
