@@ -34,8 +34,8 @@ void BaseScans::take_until(Time stamp) {
 }
 
 BaseScanFigures BaseScans::figures() const {
-  const BaseScanFigures figures{lines_.scan_topic(), log_.lines(), odometry_.matched(),
-                                log_.dropped_by_reason()};
+  BaseScanFigures figures{lines_.scan_topic(), log_.lines(), odometry_.matched(),
+                          log_.dropped_by_reason()};
   const std::size_t dropped = log_.dropped_lines();
   if (figures.matched > 0 && 2 * dropped <= figures.scans) return figures;
   std::string why = std::to_string(dropped) + " of " + std::to_string(figures.scans) +
