@@ -120,8 +120,8 @@ TEST(Step, BackwardPropagatesTheErrorsOfPoseAndStep) {
 
 TEST(Step, ThereAndBackIsTheSameBeliefIfTheStepIsExact) {
   const PoseBelief belief{any_pose(11), any_covariance(0.1, 11)};
-  const PoseBelief back =
-      before_step(after_step(belief, any_pose(12), Vector6::Zero()), any_pose(12), Vector6::Zero());
+  const Vector6 exact = Vector6::Zero();
+  const PoseBelief back = before_step(after_step(belief, any_pose(12), exact), any_pose(12), exact);
   EXPECT_LT(difference(belief.T_model_base, back.T_model_base), 1e-12);
   EXPECT_LT(difference(belief.covariance, back.covariance), 1e-12);
 }
