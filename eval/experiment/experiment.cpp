@@ -45,7 +45,7 @@ LineLog drive(sim::Tour& tour, Modeler& modeler, SelfClosure* closure, Truth& tr
     LineResult result = LineResult::modelled;
     log.line_s.push_back(wall_seconds_of([&] { result = modeler.add_scan_line(beams, poses); }));
     log.total_s += log.line_s.back();
-    if (closure != nullptr) closure->update();
+    if (closure != nullptr) closure->update(tour, middle_of(beams));
     log.dropped += is_dropped(result) ? 1 : 0;
     truth.add(*scan);
     progress({log.line_s.size(), tour.line_count(), modeler.statistics().ribbons,
@@ -85,6 +85,13 @@ Summary summary_of(const LineLog& log, const sim::Tour& tour, const Modeler& mod
   return summary;
 }
 
+void add_ribbon_errors(const PointTruth& truth, const Modeler& modeler, Summary& summary) {
+  if (const auto errors = truth.ribbon_errors(modeler)) {
+    summary.ribbon_angle_deg = errors->angle_deg;
+    summary.ribbon_distance_m = errors->distance_m;
+  }
+}
+
 }  // namespace
 
 Results run_experiment(const sim::World& world, const sim::Route& route,
@@ -94,7 +101,8 @@ Results run_experiment(const sim::World& world, const sim::Route& route,
   Modeler modeler(modeler_config);
   Truth truth(world);
   std::optional<SelfClosure> self;
-  if (closure == Closure::self) self.emplace(modeler, modeler_config);
+  if (closure != Closure::truth)
+    self.emplace(modeler, modeler_config, closure == Closure::self_with_base_laser);
   const LineLog log = drive(tour, modeler, self ? &*self : nullptr, truth, progress);
 
   Results results;
@@ -121,10 +129,7 @@ Results run_experiment(const sim::World& world, const sim::Route& route,
   results.summary.points = for_each_model(results.models, [&](const std::vector<Plane>& planes) {
     return point_metrics(truth.points, modeler, planes);
   });
-  if (const auto errors = truth.points.ribbon_errors(modeler)) {
-    results.summary.ribbon_angle_deg = errors->angle_deg;
-    results.summary.ribbon_distance_m = errors->distance_m;
-  }
+  add_ribbon_errors(truth.points, modeler, results.summary);
   return results;
 }
 

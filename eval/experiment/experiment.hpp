@@ -13,8 +13,9 @@ namespace ribbon_mapper::eval {
 
 /// What corrects the trajectory at the end of a tour.
 enum class Closure {
-  truth,  ///< the true trajectory: the virtual loop closure of the paper
-  self    ///< an estimate from odometry and ribbons
+  truth,                ///< the true trajectory: the virtual loop closure of the paper
+  self,                 ///< an estimate from odometry and ribbons
+  self_with_base_laser  ///< the same, with odometry that the base laser refines
 };
 
 /// Runs the paper's experiment in one process. A tour with noisy localisation is modelled; at its

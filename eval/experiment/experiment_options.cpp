@@ -83,6 +83,8 @@ void add_run_options(CLI::App& app, RunOptions& run) {
   app.add_option("--closure", run.closure, "what corrects the trajectory: truth or self")
       ->check(CLI::IsMember({"truth", "self"}))
       ->capture_default_str();
+  app.add_flag("--base-laser", run.base_laser,
+               "--closure self uses the laser on the base, too; casts 3.7 times as many rays");
   app.add_option("--odometry-faults", run.odometry_faults,
                  "slip=T:DEGREES, shift=T:METRES, push=T:SECONDS, scale=X, yaw_scale=X, "
                  "separated by commas")
@@ -173,6 +175,9 @@ std::vector<RunOptions> combinations(const Lists& lists, const RunOptions& commo
 
 /// Checks options against each other.
 void require_fitting(const Lists& lists, const RunOptions& common) {
+  if (common.base_laser && common.closure != "self") {
+    throw CLI::ValidationError("--base-laser", "only the estimate uses it: add --closure self");
+  }
   if (lists.worlds.size() > 1 && !common.route.empty()) {
     throw CLI::ValidationError("--route", "one route does not fit several worlds: leave it out");
   }

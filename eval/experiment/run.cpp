@@ -8,6 +8,14 @@
 #include "modeler/program/installed_files.hpp"
 
 namespace ribbon_mapper::eval {
+namespace {
+
+Closure closure_of(const RunOptions& run) {
+  if (run.closure != "self") return Closure::truth;
+  return run.base_laser ? Closure::self_with_base_laser : Closure::self;
+}
+
+}  // namespace
 
 sim::TourConfig tour_config(const RunOptions& run) {
   sim::TourConfig config;
@@ -53,8 +61,7 @@ Results make_run(const RunOptions& run, const ProgressCallback& progress) {
   const ModelerConfig config = modeler_config(run);
   const sim::World world = load_world(run);
   Results results =
-      run_experiment(world, load_route(run), tour_config(run), config,
-                     run.closure == "self" ? Closure::self : Closure::truth, progress);
+      run_experiment(world, load_route(run), tour_config(run), config, closure_of(run), progress);
   results.summary.run = with_portable_names(run);
   results.summary.command = command_of(run);
   return results;

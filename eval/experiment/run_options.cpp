@@ -38,7 +38,8 @@ std::string quoted(const std::string& text) {
 /// Returns everything but the seed, in the order of comes_before().
 auto conditions_of(const RunOptions& r) {
   return std::tie(r.world, r.route, r.config, r.model_paths, r.visuals, r.noise, r.tilt, r.closure,
-                  r.caster, r.beams, r.speed_m_s, r.deskew, r.drift, r.odometry_faults);
+                  r.base_laser, r.caster, r.beams, r.speed_m_s, r.deskew, r.drift,
+                  r.odometry_faults);
 }
 
 /// Name and value of an option on the command line.
@@ -50,7 +51,7 @@ std::vector<Option> varied_options(const RunOptions& r) {
           {"config", r.config},
           {"noise", r.noise},
           {"tilt", r.tilt},
-          {"closure", r.closure},
+          {"closure", r.closure + (r.base_laser ? " with base laser" : "")},
           {"caster", r.caster},
           {"beams", text_of(r.beams)},
           {"speed", text_of(r.speed_m_s)},
@@ -91,6 +92,7 @@ std::string command_of(const RunOptions& run) {
   add("--beams", text_of(run.beams), "");
   add("--speed", text_of(run.speed_m_s), "");
   add("--deskew", text_of(run.deskew), "");
+  if (run.base_laser) command << " --base-laser";
   if (run.visuals) command << " --visuals";
   for (const std::string& path : run.model_paths) command << " --model-path " << quoted(path);
   return command.str();

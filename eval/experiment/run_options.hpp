@@ -24,6 +24,7 @@ struct RunOptions {
   std::string noise = "datasheet";  ///< name of the range noise, see sim::range_noise_from()
   std::string tilt = "manip";       ///< name of a sim::TiltProfileConfig::preset()
   std::string closure = "truth";    ///< what corrects the trajectory: truth, or the slam itself
+  bool base_laser = false;          ///< `self` uses the laser on the base, too
   std::string caster = "bullet";    ///< name of a ray caster, see sim::ray_caster_kind_from()
   std::optional<int> beams;         ///< number, 0.25 degrees apart; if empty, the PR2's
   std::optional<double> speed_m_s;  ///< scales the turn rate alike; if empty, the route's

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "eval/experiment/scan_conversion.hpp"
 
+#include "sim/robot/pr2.hpp"
+
 namespace ribbon_mapper::eval {
 
 LaserBeams beams_of(const sim::Scan& scan) {
@@ -18,6 +20,13 @@ LinePoses noisy_poses(const sim::Tour& tour, const LaserBeams& beams) {
   const Time first = beams.stamp, last = end_of(beams);
   return {tour.T_odom_base(first), tour.T_odom_base(last), tour.T_base_laser(first),
           tour.T_base_laser(last), tour.noisy_T_map_base(middle_of(beams))};
+}
+
+LinePoses base_laser_poses(const sim::Tour& tour, const LaserBeams& beams) {
+  const Time first = beams.stamp, last = end_of(beams);
+  const Pose T_base_laser = sim::pr2::T_base_base_laser();
+  return {tour.T_odom_base(first), tour.T_odom_base(last), T_base_laser, T_base_laser,
+          tour.noisy_T_map_base(middle_of(beams))};
 }
 
 }  // namespace ribbon_mapper::eval

@@ -13,4 +13,7 @@ LaserBeams beams_of(const sim::Scan& scan);
 /// Returns the poses that tf would give for a scan, including the errors of the localisation.
 LinePoses noisy_poses(const sim::Tour& tour, const LaserBeams& beams);
 
+/// Returns the poses that tf would give for a scan of the laser on the base.
+LinePoses base_laser_poses(const sim::Tour& tour, const LaserBeams& beams);
+
 }  // namespace ribbon_mapper::eval

@@ -30,6 +30,7 @@ RunOptions run_of(const Json& json) {
   run.noise = json.at("noise").get<std::string>();
   run.tilt = json.at("tilt").get<std::string>();
   run.closure = json.value("closure", run.closure);
+  run.base_laser = json.value("base_laser", run.base_laser);
   run.caster = json.value("caster", run.caster);
   run.visuals = json.value("visuals", run.visuals);
   run.odometry_faults = json.value("odometry_faults", run.odometry_faults);

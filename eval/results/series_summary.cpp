@@ -119,7 +119,9 @@ nlohmann::ordered_json group_json(const std::vector<LoggedRun>& group) {
                           "speed_m_s", "deskew", "drift"}) {
     json[key] = line.at(key);
   }
-  if (line.contains("odometry_faults")) json["odometry_faults"] = line.at("odometry_faults");
+  for (const char* key : {"base_laser", "odometry_faults"}) {
+    if (line.contains(key)) json[key] = line.at(key);
+  }
   json["runs"] = group.size();
   json["right"] = right_count(group);
   json["distribution"] = distribution_json(group);

@@ -127,6 +127,7 @@ Json to_json(const RunOptions& run) {
             {"deskew", value_or_null(run.deskew)},
             {"drift", run.drift},
             {"seed", run.seed}};
+  if (run.base_laser) json["base_laser"] = true;
   if (run.visuals) json["visuals"] = true;
   if (!run.odometry_faults.empty()) json["odometry_faults"] = run.odometry_faults;
   return json;
@@ -146,17 +147,15 @@ Json times_of(const Summary& s) {
 }
 
 Json to_json(const EstimateSummary& estimate) {
-  return {{"rmse_m", estimate.error.rmse_m},
-          {"largest_m", estimate.error.largest_m},
-          {"rmse_deg", estimate.error.rmse_deg},
-          {"aligned_rmse_m", estimate.error.aligned_rmse_m},
-          {"position_sigma_m_median", estimate.precision.position_m_median},
-          {"position_sigma_m_largest", estimate.precision.position_m_largest},
-          {"heading_sigma_deg_median", estimate.precision.heading_deg_median},
-          {"heading_sigma_deg_largest", estimate.precision.heading_deg_largest},
-          {"nees", estimate.nees},
-          {"noise_scale", estimate.noise_scale},
-          {"decisions", estimate.decisions}};
+  Json json{{"rmse_m", estimate.error.rmse_m},
+            {"largest_m", estimate.error.largest_m},
+            {"rmse_deg", estimate.error.rmse_deg},
+            {"aligned_rmse_m", estimate.error.aligned_rmse_m}};
+  for (const auto& [name, sigma] : named_sigmas(estimate.precision)) json[name] = sigma;
+  json["nees"] = estimate.nees;
+  json["noise_scale"] = estimate.noise_scale;
+  json["decisions"] = estimate.decisions;
+  return json;
 }
 
 std::string estimate_text(const EstimateSummary& estimate) {

@@ -2,10 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "eval/results/trajectory_error.hpp"
 
-#include <Eigen/Cholesky>
 #include <Eigen/Geometry>
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <stdexcept>
 
@@ -22,19 +20,6 @@ Eigen::Matrix3Xd positions_of(const std::vector<StampedPose>& trajectory) {
     positions.col(static_cast<Eigen::Index>(i)) = trajectory[i].T_map_base.translation();
   }
   return positions;
-}
-
-/// The square of the planar error in standard deviations, for each of its three components.
-double planar_square_sigmas(const Pose& estimate, const Matrix6& covariance, const Pose& truth) {
-  const Vector6 error = error_between(estimate, truth);
-  constexpr std::array<int, 3> kPlanar{0, 1, 5};
-  Eigen::Vector3d e;
-  Eigen::Matrix3d c;
-  for (int i = 0; i < 3; ++i) {
-    e[i] = error[kPlanar[i]];
-    for (int k = 0; k < 3; ++k) c(i, k) = covariance(kPlanar[i], kPlanar[k]);
-  }
-  return e.dot(c.ldlt().solve(e)) / 3.0;
 }
 
 }  // namespace
@@ -70,8 +55,8 @@ double planar_nees(std::vector<StampedPose> estimate, const std::vector<Matrix6>
       truth.front().T_map_base * estimate.front().T_map_base.inverse(Eigen::Isometry);
   double sum = 0.0;
   for (std::size_t i = 1; i < estimate.size(); ++i) {
-    sum += planar_square_sigmas(T_truth_estimate * estimate[i].T_map_base, covariances[i],
-                                truth[i].T_map_base);
+    sum += mean_square_sigmas({T_truth_estimate * estimate[i].T_map_base, covariances[i]},
+                              truth[i].T_map_base, kInPlane);
   }
   return sum / static_cast<double>(estimate.size() - 1);
 }

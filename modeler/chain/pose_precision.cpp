@@ -33,4 +33,11 @@ PosePrecision precision_of(const std::vector<Matrix6>& covariances) {
   return precision;
 }
 
+std::array<std::pair<const char*, double>, 4> named_sigmas(const PosePrecision& precision) {
+  return {{{"position_sigma_m_median", precision.position_m_median},
+           {"position_sigma_m_largest", precision.position_m_largest},
+           {"heading_sigma_deg_median", precision.heading_deg_median},
+           {"heading_sigma_deg_largest", precision.heading_deg_largest}}};
+}
+
 }  // namespace ribbon_mapper

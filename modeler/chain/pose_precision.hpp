@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <array>
+#include <utility>
 #include <vector>
 
 #include "modeler/chain/matrix6.hpp"
@@ -20,5 +22,8 @@ struct PosePrecision {
 /// of a position is the root of the mean squared distance from the true one, in three dimensions.
 /// The heading is the rotation about the frame's z axis.
 PosePrecision precision_of(const std::vector<Matrix6>& covariances);
+
+/// Returns the numbers with their names in summaries, in the order of the members.
+std::array<std::pair<const char*, double>, 4> named_sigmas(const PosePrecision& precision);
 
 }  // namespace ribbon_mapper

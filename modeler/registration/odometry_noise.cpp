@@ -2,9 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "modeler/registration/odometry_noise.hpp"
 
-#include <Eigen/Cholesky>
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <stdexcept>
 
@@ -13,8 +11,6 @@
 namespace ribbon_mapper {
 namespace {
 
-using Indices = std::array<int, 3>;
-constexpr Indices kInPlane{0, 1, 5}, kOutOfPlane{2, 3, 4};
 // A floor that is level to 0.1 mrad: what remains of an odometry that shows no error.
 constexpr double kMinScale = 0.01;
 // 0.01 mm and 0.01 mrad, far below any sensor, so that beliefs stay regular.
@@ -23,18 +19,6 @@ constexpr double kMinVariance = 1e-10;
 constexpr double kSidewaysShare = 0.3;
 // The average time of a beam from the middle of its line, in intervals between lines.
 constexpr double kMeanBeamOffset = 0.25;
-
-/// The squared Mahalanobis distance of some components of the error, per component.
-double mean_square_sigmas(const PoseBelief& expected, const Pose& truth, const Indices& indices) {
-  const Vector6 error = error_between(expected.T_model_base, truth);
-  Eigen::Vector3d e;
-  Eigen::Matrix3d covariance;
-  for (int i = 0; i < 3; ++i) {
-    e[i] = error[indices[i]];
-    for (int j = 0; j < 3; ++j) covariance(i, j) = expected.covariance(indices[i], indices[j]);
-  }
-  return e.dot(covariance.ldlt().solve(e)) / 3.0;
-}
 
 }  // namespace
 

@@ -55,6 +55,14 @@ void add_line(const ObservingLine& line, const Landmarks& landmarks, std::size_t
   }
 }
 
+/// Returns the information of an odometry step's error, along the axes of the model frame.
+Matrix6 information_of_step(const ObservingSegment& observing, std::size_t step,
+                            const Eigen::Matrix3d& rotation) {
+  if (!observing.step_information.empty())
+    return in_other_axes(observing.step_information[step], rotation);
+  return in_model_axes(observing.segment.step_variances[step].cwiseInverse(), rotation);
+}
+
 /// Adds an odometry step to the line of index `step` in the segment, whose first line is the pose
 /// `first` of the system.
 void add_step(const ObservingSegment& observing, std::size_t step, std::size_t first,
@@ -65,8 +73,7 @@ void add_step(const ObservingSegment& observing, std::size_t step, std::size_t f
   const Pose& from = is_first ? *segment.T_frame_start : observing.lines[step - 1].T_model_base;
   const Pose& to = is_last ? *segment.T_frame_end : observing.lines[step].T_model_base;
   const Vector6 residual = error_between(from * segment.steps[step], to);
-  const Matrix6 information =
-      in_model_axes(segment.step_variances[step].cwiseInverse(), from.linear());
+  const Matrix6 information = information_of_step(observing, step, from.linear());
   const Matrix6 by_from = -transport(from.linear() * segment.steps[step].translation());
   const Matrix6 weighted = by_from.transpose() * information;
   if (!is_first) system.add_pose(first + step - 1, weighted * by_from, -weighted * residual);

@@ -27,6 +27,9 @@ struct ObservingLine {
 struct ObservingSegment {
   TrajectorySegment segment;         ///< with step variances and at least one known end
   std::vector<ObservingLine> lines;  ///< one for each line of the segment
+  /// Information of the steps' errors, along the axes of the base before the step, in place of the
+  /// segment's step variances; empty: these count.
+  std::vector<Matrix6> step_information{};
 };
 
 /// Adjusts landmarks and poses of segments together by one Gauss-Newton step. It minimises the

@@ -66,12 +66,32 @@ PoseBelief after_step(const PoseBelief& from, const Pose& step, const Vector6& v
                                         in_model_axes(variances, rotation)};
 }
 
+PoseBelief after_step(const PoseBelief& from, const Pose& step, const Matrix6& covariance) {
+  const Eigen::Matrix3d rotation = from.T_model_base.linear();
+  const Matrix6 transported = transport(rotation * step.translation());
+  return {from.T_model_base * step, transported * from.covariance * transported.transpose() +
+                                        in_other_axes(covariance, rotation)};
+}
+
 PoseBelief before_step(const PoseBelief& to, const Pose& step, const Vector6& variances) {
   const Pose T_model_base = to.T_model_base * step.inverse(Eigen::Isometry);
   const Eigen::Matrix3d rotation = T_model_base.linear();
   const Matrix6 transported = transport(-(rotation * step.translation()));
   return {T_model_base, transported * (to.covariance + in_model_axes(variances, rotation)) *
                             transported.transpose()};
+}
+
+double mean_square_sigmas(const PoseBelief& expected, const Pose& truth,
+                          const std::array<int, 3>& components) {
+  const Vector6 error = error_between(expected.T_model_base, truth);
+  Eigen::Vector3d e;
+  Eigen::Matrix3d covariance;
+  for (int i = 0; i < 3; ++i) {
+    e[i] = error[components[i]];
+    for (int j = 0; j < 3; ++j)
+      covariance(i, j) = expected.covariance(components[i], components[j]);
+  }
+  return e.dot(covariance.ldlt().solve(e)) / 3.0;
 }
 
 PoseBelief fused(const PoseBelief& a, const PoseBelief& b) {

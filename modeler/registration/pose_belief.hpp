@@ -3,6 +3,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <array>
 
 #include "modeler/chain/matrix6.hpp"
 #include "modeler/geometry/pose.hpp"
@@ -45,9 +46,16 @@ Matrix6 in_other_axes(const Matrix6& covariance, const Eigen::Matrix3d& rotation
 /// Returns the belief after an odometry step. `variances` of the step's error are along the axes of
 /// the base before the step.
 PoseBelief after_step(const PoseBelief& from, const Pose& step, const Vector6& variances);
+/// Returns the same for a covariance of the step's error, along the same axes.
+PoseBelief after_step(const PoseBelief& from, const Pose& step, const Matrix6& covariance);
 
 /// Returns the belief before an odometry step that has led to `to`: the reverse of after_step().
 PoseBelief before_step(const PoseBelief& to, const Pose& step, const Vector6& variances);
+
+/// Returns the squared error of a belief in standard deviations, for each of three components of
+/// Vector6: kInPlane or kOutOfPlane. It is 1 on average if the covariance is right.
+double mean_square_sigmas(const PoseBelief& expected, const Pose& truth,
+                          const std::array<int, 3>& components);
 
 /// Returns the product of two independent beliefs of one pose. At most one may be certain.
 PoseBelief fused(const PoseBelief& a, const PoseBelief& b);

@@ -68,9 +68,7 @@ Time TourPublisher::in_tour(Time now) const {
 
 Pose TourPublisher::T_odom_base(Time at) const {
   if (has_localisation_) return tour_.T_odom_base(at);
-  const Pose T_odom_tour =
-      tour_.true_T_map_base(Time(0)) * tour_.T_odom_base(Time(0)).inverse(Eigen::Isometry);
-  return T_odom_tour * tour_.T_odom_base(at);
+  return tour_.T_map_odom_at_start() * tour_.T_odom_base(at);
 }
 
 std_msgs::Header TourPublisher::map_header(Time now) const {

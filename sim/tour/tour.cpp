@@ -36,6 +36,8 @@ struct Tour::State {
         localisation(route, config.localisation, stream_seed(config.seed, kLocalisationStream)) {
     require_free(world, route);
     view = route_view(world, route, tilt, config.hokuyo);
+    T_map_odom_at_start =
+        route.T_map_base(Time(0)) * localisation.T_odom_base(Time(0)).inverse(Eigen::Isometry);
   }
 
   Pose T_map_laser(Time time) const {
@@ -48,6 +50,7 @@ struct Tour::State {
   Hokuyo hokuyo, base_hokuyo;
   Localisation localisation;
   std::string view;
+  Pose T_map_odom_at_start = Pose::Identity();
   std::size_t next_line = 0;
 };
 
@@ -83,13 +86,18 @@ Scan Tour::base_scan(std::size_t line) const {
       [&](Time time) { return state_->route.T_map_base(time) * T_base_laser; });
 }
 
+Time Tour::base_scan_stamp(std::size_t line) const {
+  return stamp_of_line(line, state_->base_hokuyo);
+}
+
 Time Tour::base_scan_end(std::size_t line) const {
-  return stamp_of_line(line, state_->base_hokuyo) + state_->base_hokuyo.sweep_time();
+  return base_scan_stamp(line) + state_->base_hokuyo.sweep_time();
 }
 
 Pose Tour::true_T_map_base(Time time) const { return state_->route.T_map_base(time); }
 Velocity Tour::true_velocity(Time time) const { return state_->route.velocity(time); }
 Pose Tour::T_odom_base(Time time) const { return state_->localisation.T_odom_base(time); }
+Pose Tour::T_map_odom_at_start() const { return state_->T_map_odom_at_start; }
 Pose Tour::T_map_odom(Time time) const { return state_->localisation.T_map_odom(time); }
 Pose Tour::noisy_T_map_base(Time time) const { return T_map_odom(time) * T_odom_base(time); }
 double Tour::tilt_angle(Time time) const { return state_->tilt.angle_rad(time); }

@@ -57,6 +57,8 @@ class Tour {
 
   /// Returns any line of the base laser, counted from 0. For several threads at once.
   Scan base_scan(std::size_t line) const;
+  /// Returns the time of the first beam of a line of the base laser.
+  Time base_scan_stamp(std::size_t line) const;
   /// Returns the time of the last beam of a line of the base laser.
   Time base_scan_end(std::size_t line) const;
 
@@ -67,6 +69,8 @@ class Tour {
   Velocity true_velocity(Time time) const;
   /// Returns the pose by odometry, with its drift.
   Pose T_odom_base(Time time) const;
+  /// Returns the true pose of odom in map at the start. The drift moves it later.
+  Pose T_map_odom_at_start() const;
   /// Returns the correction by the simulated SLAM.
   Pose T_map_odom(Time time) const;
   /// Returns the pose by odometry and SLAM: T_map_odom * T_odom_base.

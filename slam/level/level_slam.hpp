@@ -17,12 +17,12 @@ namespace ribbon_mapper::slam {
 
 /// Settings of the SLAM for one level laser.
 struct LevelSlamConfig {
-  LevelScanConfig scan;          ///< see there
-  TrackerConfig tracker;         ///< see there
-  OdometryNoiseConfig odometry;  ///< see there
-  MatchConfig match;             ///< see there
-  LoopConfig loop;               ///< see there
-  FinalMatchConfig final_match;  ///< see there
+  LevelScanConfig scan;                ///< see there
+  TrackerConfig tracker;               ///< see there
+  PlanarOdometryNoiseConfig odometry;  ///< see there
+  MatchConfig match;                   ///< see there
+  LoopConfig loop;                     ///< see there
+  FinalMatchConfig final_match;        ///< see there
 };
 
 /// A pose of the base in map with its time.

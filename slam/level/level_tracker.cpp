@@ -13,6 +13,7 @@ constexpr double kSearchSpacing_m = 0.15;
 /// Least information of a pose from which odometry is judged: to 3 cm in all directions.
 constexpr double kMoved_m = 0.02, kMoved_rad = 0.02;  // standing still tells nothing of odometry
 constexpr double kWellObserved = 1.0 / (0.03 * 0.03);
+constexpr double kRegular = 1e-3;  // information that no sensor is worse than
 
 /// Returns the least information of a position in any direction.
 double least_information(const Eigen::Matrix3d& information) {
@@ -21,14 +22,34 @@ double least_information(const Eigen::Matrix3d& information) {
       .eigenvalues()(0);
 }
 
-/// Returns where the points alone see the robot, from where odometry does: the match is a weighted
-/// mean of both.
+/// Returns how far a match is from where odometry expects the robot: x, y, yaw in map.
+Eigen::Vector3d off_prior(const Match& found, const PosePrior& prior) {
+  Eigen::Vector3d off = found.T_map_base.vector() - prior.T_map_base.vector();
+  off.z() = wrapped(off.z());
+  return off;
+}
+
+/// Returns the same for the points alone: the match is a weighted mean of these and of odometry.
+Eigen::Vector3d points_off_prior(const Match& found, const PosePrior& prior) {
+  const Eigen::Vector3d off = off_prior(found, prior);
+  return off + found.information.ldlt().solve(found.prior_information * off);
+}
+
+/// Returns where the points alone see the robot, from where odometry does.
 PlanarPose innovation(const Match& found, const PosePrior& prior) {
   const PlanarPose& expected = prior.T_map_base;
-  Eigen::Vector3d off = found.T_map_base.vector() - expected.vector();
-  off.z() = wrapped(off.z());
-  const Eigen::Vector3d alone = off + found.information.ldlt().solve(found.prior_information * off);
-  return relative(expected, planar(expected.vector() + alone));
+  return relative(expected, planar(expected.vector() + points_off_prior(found, prior)));
+}
+
+/// Returns the pose of a match if its points count with `information` only. Where that is zero, the
+/// pose is the expected one (solution remapping: Zhang, Kaess and Singh, 'On degeneracy of
+/// optimization-based state estimation problems', ICRA 2016).
+PlanarPose remapped(const Match& found, const Eigen::Matrix3d& information,
+                    const PosePrior& prior) {
+  const Eigen::Matrix3d both =
+      information + found.prior_information + kRegular * Eigen::Matrix3d::Identity();
+  return planar(prior.T_map_base.vector() +
+                both.ldlt().solve(information * points_off_prior(found, prior)));
 }
 
 /// Returns an information of x, y, yaw that is given in a source, in target.
@@ -60,7 +81,10 @@ TrackedScan LevelTracker::add(const LevelScan& scan, const PlanarPose& T_odom_ba
       step.translation().norm() > kMoved_m || std::abs(step.yaw_rad) > kMoved_rad;
   if (has_moved && least_information(found.information) > kWellObserved)
     noise_.learn(step, innovation(found, prior));
-  tracked = {keyframes_.size() - 1, found.T_map_base, found.agreeing, false};
+  const Eigen::Matrix3d information = information_beyond_normals(found, match_);
+  found.T_map_base = remapped(found, information, prior);
+  tracked = {keyframes_.size() - 1, found.T_map_base, found.agreeing, false,
+             turned(information, -found.T_map_base.yaw_rad)};
   T_odom_last_ = T_odom_base, T_keyframe_last_ = found.T_map_base;
   const bool is_far = tracked.T_keyframe_base.translation().norm() > config_.keyframe_m ||
                       std::abs(tracked.T_keyframe_base.yaw_rad) > config_.keyframe_rad;
@@ -70,7 +94,9 @@ TrackedScan LevelTracker::add(const LevelScan& scan, const PlanarPose& T_odom_ba
       turned(noise_.information(relative(T_odom_keyframe_, T_odom_base)), found.T_map_base.yaw_rad);
   T_odom_keyframe_ = T_odom_base;
   add_keyframe(scan, tracked, found.information + odometry);
-  return {keyframes_.size() - 1, {}, found.agreeing, true};
+  tracked.keyframe = keyframes_.size() - 1, tracked.T_keyframe_base = {};
+  tracked.is_keyframe = true;
+  return tracked;
 }
 
 Match LevelTracker::searched(const LevelPoints& points, const Match& lost, const PosePrior& prior) {

@@ -43,6 +43,9 @@ struct TrackedScan {
   PlanarPose T_keyframe_base;  ///< pose as seen from it
   double agreeing = 1.0;       ///< share of points that agree with the map
   bool is_keyframe = false;    ///< whether this scan is the keyframe
+  /// Of x, y and yaw by the points alone, along the axes of the base. It is zero in directions that
+  /// they leave open, such as along a corridor.
+  Eigen::Matrix3d information = Eigen::Matrix3d::Zero();
 };
 
 /// Follows the robot: odometry predicts, and each scan is matched against the latest keyframes.
@@ -50,7 +53,7 @@ class LevelTracker {
  public:
   /// Creates a tracker whose first scan is its origin.
   LevelTracker(const TrackerConfig& config, const MatchConfig& match,
-               const OdometryNoiseConfig& noise)
+               const PlanarOdometryNoiseConfig& noise)
       : config_(config), match_(match), noise_(noise) {}
 
   /// Takes in a scan with the pose of odometry at its time, and returns where it is.
@@ -59,7 +62,7 @@ class LevelTracker {
   /// Returns all keyframes.
   const std::vector<Keyframe>& keyframes() const { return keyframes_; }
   /// Returns what was learnt about the odometry.
-  const OdometryNoise& noise() const { return noise_; }
+  const PlanarOdometryNoise& noise() const { return noise_; }
   /// Returns how many scans a search has put right.
   std::size_t searches() const { return searches_; }
 
@@ -71,7 +74,7 @@ class LevelTracker {
 
   TrackerConfig config_;
   MatchConfig match_;
-  OdometryNoise noise_;
+  PlanarOdometryNoise noise_;
   std::vector<Keyframe> keyframes_;
   LevelPoints reference_;                      ///< latest keyframes, in the newest
   std::unique_ptr<SurfaceMap> map_;            ///< of these

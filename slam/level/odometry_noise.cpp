@@ -14,7 +14,7 @@ constexpr double kMostSquare = 16.0;  // a slip is no noise: the prior is robust
 
 }  // namespace
 
-Eigen::Vector3d OdometryNoise::deviations(const PlanarPose& step) const {
+Eigen::Vector3d PlanarOdometryNoise::deviations(const PlanarPose& step) const {
   const double way = step.translation().norm(), turn = std::abs(step.yaw_rad);
   const double xy = std::hypot(config_.per_metre_m * way, config_.at_rest_m);
   const double yaw =
@@ -22,21 +22,21 @@ Eigen::Vector3d OdometryNoise::deviations(const PlanarPose& step) const {
   return {xy, xy, yaw};
 }
 
-double OdometryNoise::scale_xy() const {
+double PlanarOdometryNoise::scale_xy() const {
   return std::clamp(std::sqrt(square_xy_), config_.least_scale, config_.most_scale);
 }
 
-double OdometryNoise::scale_yaw() const {
+double PlanarOdometryNoise::scale_yaw() const {
   return std::clamp(std::sqrt(square_yaw_), config_.least_scale, config_.most_scale);
 }
 
-Eigen::Matrix3d OdometryNoise::information(const PlanarPose& step) const {
+Eigen::Matrix3d PlanarOdometryNoise::information(const PlanarPose& step) const {
   Eigen::Vector3d d = deviations(step);
   d.head<2>() *= scale_xy(), d.z() *= scale_yaw();
   return d.array().square().inverse().matrix().asDiagonal();
 }
 
-void OdometryNoise::learn(const PlanarPose& step, const PlanarPose& error) {
+void PlanarOdometryNoise::learn(const PlanarPose& step, const PlanarPose& error) {
   const Eigen::Vector3d d = deviations(step);
   const double xy = error.translation().squaredNorm() / (2.0 * square(d.x()));
   const double yaw = square(error.yaw_rad / d.z());

@@ -9,7 +9,7 @@
 namespace ribbon_mapper::slam {
 
 /// Settings for the noise of odometry.
-struct OdometryNoiseConfig {
+struct PlanarOdometryNoiseConfig {
   double per_metre_m = 0.1;     ///< deviation of the position by way: a skid-steered robot's
   double at_rest_m = 0.005;     ///< and of each step
   double per_radian_rad = 0.1;  ///< deviation of the heading by turning
@@ -21,10 +21,10 @@ struct OdometryNoiseConfig {
 };
 
 /// Learns how exact the odometry of a robot is from the errors of its predictions.
-class OdometryNoise {
+class PlanarOdometryNoise {
  public:
   /// Begins with the configured noise.
-  explicit OdometryNoise(const OdometryNoiseConfig& config) : config_(config) {}
+  explicit PlanarOdometryNoise(const PlanarOdometryNoiseConfig& config) : config_(config) {}
 
   /// Returns the information of x, y and yaw after a step of odometry.
   Eigen::Matrix3d information(const PlanarPose& step) const;
@@ -41,7 +41,7 @@ class OdometryNoise {
  private:
   Eigen::Vector3d deviations(const PlanarPose& step) const;
 
-  OdometryNoiseConfig config_;
+  PlanarOdometryNoiseConfig config_;
   double square_xy_ = 1.0, square_yaw_ = 1.0;  ///< means of squared errors
   double steps_ = 20.0;                        ///< weight of the means; they begin with some
 };

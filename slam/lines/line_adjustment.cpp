@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "slam/lines/line_adjustment.hpp"
 
+#include <Eigen/LU>
 #include <algorithm>
 #include <limits>
 
@@ -56,6 +57,7 @@ class Adjustment {
   void list_context(const OdometryNoise& noise, const RangeNoise& ranges);
   Round matched(const AssociationGates& gates);
   TrajectorySegment segment() const;
+  std::vector<Matrix6> step_information() const;
   ObservingLine matched_with_known(std::uint32_t line, const AssociationGates& gates);
   PlaneMap map_of_others(const AssociationGates& gates, const Round& round) const;
   void match_others(const AssociationGates& gates, Round& round) const;
@@ -119,6 +121,19 @@ TrajectorySegment Adjustment::segment() const {
   return segment;
 }
 
+/// Returns the information of the steps if they are not those of the recorded odometry.
+std::vector<Matrix6> Adjustment::step_information() const {
+  std::vector<Matrix6> information;
+  if (!lines_.has_source()) return information;
+  for (std::uint32_t i = which_.first; i < which_.end; ++i) {
+    Matrix6 covariance = lines_.fused_covariance(i, noise_);
+    if (lines_.is_slip(i)) covariance.diagonal() += slip_variances();
+    information.push_back(covariance.inverse());
+  }
+  information.push_back(Matrix6::Identity());  // the end is open
+  return information;
+}
+
 ObservingLine Adjustment::matched_with_known(std::uint32_t line, const AssociationGates& gates) {
   const Pose T_start_base = lines_.T_start_base(line);
   std::vector<PlaneObservation>& observations = of_lines_[index_of(line)];
@@ -179,7 +194,7 @@ void Adjustment::match_others(const AssociationGates& gates, Round& round) const
 
 /// Matches all ribbons with the planes of the context and with those of the others.
 Adjustment::Round Adjustment::matched(const AssociationGates& gates) {
-  Round round{known_.landmarks().all(), context_, {{segment(), {}}}};
+  Round round{known_.landmarks().all(), context_, {{segment(), {}, step_information()}}};
   for (std::uint32_t i = which_.first; i < which_.end; ++i) {
     round.lines().push_back(matched_with_known(i, gates));
   }

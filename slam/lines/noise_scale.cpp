@@ -55,7 +55,7 @@ void NoiseScale::learn(const PosedLines& lines, std::uint32_t first, std::uint32
     TrajectorySegment span;
     bool has_slip = false;
     for (std::uint32_t k = start + 1; k <= i; ++k) {
-      span.steps.push_back(lines.step(k));
+      span.steps.push_back(lines.recorded_step(k));
       has_slip = has_slip || lines.is_slip(k);
     }
     span.T_frame_start = lines.T_start_base(start), span.T_frame_end = lines.T_start_base(i);

@@ -11,17 +11,21 @@
 #include "modeler/observations/posed_ribbon.hpp"
 #include "modeler/registration/odometry_noise.hpp"
 #include "modeler/registration/plane_observation.hpp"
+#include "modeler/registration/pose_belief.hpp"
+#include "slam/lines/odometry_source.hpp"
 
 namespace ribbon_mapper::slam {
 
 /// The lines of some observations with their estimated poses, in a frame called `start`: that of
 /// the first line.
 ///
-/// Besides the observations, a line takes 68 bytes.
+/// Besides the observations, a line takes 68 bytes, and 92 more with a source of the odometry.
 class PosedLines {
  public:
-  /// Starts without lines. `observations` must outlive this.
-  explicit PosedLines(const Observations& observations) : observations_(&observations) {}
+  /// Starts without lines. `observations` must outlive this, and so must `odometry`, which takes
+  /// the place of the recorded one unless it is null.
+  explicit PosedLines(const Observations& observations, const OdometrySource* odometry = nullptr)
+      : observations_(&observations), odometry_(odometry) {}
 
   /// Follows observations that were thinned since: forgets the lines that they have no longer. Must
   /// be called before lines are added. Returns true if they were thinned.
@@ -53,10 +57,21 @@ class PosedLines {
   Pose T_start_base(std::size_t line) const { return T_start_base_[line]; }
   /// Returns the pose of a line by odometry.
   Pose T_odom_base(std::size_t line) const {
-    return observations_->trajectory().recorded().T_odom_base()[line];
+    return odometry_ != nullptr ? T_odom_base_[line] : recorded_T_odom_base(line);
   }
   /// Returns the motion of the base by odometry from the line before; none at the first line.
   Pose step(std::size_t line) const;
+  /// Returns the same as it was recorded, whatever the source of the odometry.
+  Pose recorded_step(std::size_t line) const;
+  /// Returns true if a source takes the place of the recorded odometry.
+  bool has_source() const { return odometry_ != nullptr; }
+  /// Returns the covariance of the error of step(), along the axes of the base before it, if there
+  /// is a source: that of the recorded odometry, whose noise is given, fused with the source's.
+  Matrix6 fused_covariance(std::size_t line, const OdometryNoise& noise) const;
+  /// Returns the belief of a line's pose from that of the line before. `noise` is that of the
+  /// recorded odometry.
+  PoseBelief after_step_to(std::size_t line, const PoseBelief& before,
+                           const OdometryNoise& noise) const;
 
   /// Returns the index of a line's first ribbon; that of size() is the number of ribbons.
   std::uint32_t first_ribbon(std::size_t line) const { return first_ribbons_[line]; }
@@ -75,12 +90,20 @@ class PosedLines {
                                          const RangeNoise& ranges) const;
 
  private:
+  Pose recorded_T_odom_base(std::size_t line) const {
+    return observations_->trajectory().recorded().T_odom_base()[line];
+  }
+  void keep_steps(const std::vector<std::uint32_t>& kept);
+  Eigen::Matrix3f covariance_between(std::uint32_t from, std::uint32_t to) const;
   std::uint32_t end_of_line(std::uint32_t line) const;
 
   const Observations* observations_;
+  const OdometrySource* odometry_;
   std::vector<Time> stamps_;
   PackedPoses T_start_base_;
-  std::vector<std::uint32_t> first_ribbons_{0};  // of each line, and their number
+  PackedPoses T_odom_base_;                          // of the source, if there is one
+  std::vector<Eigen::Matrix3f> source_covariances_;  // of the steps by the source alone
+  std::vector<std::uint32_t> first_ribbons_{0};      // of each line, and their number
   std::size_t ribbons_seen_ = 0;
   std::set<std::uint32_t> slips_;  // lines
 };

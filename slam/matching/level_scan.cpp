@@ -61,11 +61,34 @@ std::size_t reach(const std::vector<Placed>& points, std::size_t at, int step, d
   return count;
 }
 
+/// The points of the surface around one: so many before it, and so many after it.
+struct Surroundings {
+  std::size_t before = 0, after = 0;
+};
+
+Surroundings surroundings_of(const std::vector<Placed>& points, std::size_t at,
+                             const LevelScanConfig& config) {
+  return {reach(points, at, -1, config.normal_radius_m),
+          reach(points, at, 1, config.normal_radius_m)};
+}
+
+/// Returns how many points on the next one is that is kept, by the mean distance of the points
+/// around one. The first that is far enough would be one whose range errs in the direction of the
+/// sweep: surfaces ahead would turn against those behind.
+std::size_t stride(const std::vector<Placed>& points, std::size_t at, const Surroundings& around,
+                   const LevelScanConfig& config) {
+  const std::size_t steps = around.before + around.after;
+  if (steps == 0) return 1;
+  const double way_m =
+      std::sqrt(square_distance(points[at - around.before], points[at + around.after]));
+  const double wanted = config.spacing_m * static_cast<double>(steps) / std::max(way_m, 1e-3);
+  return static_cast<std::size_t>(std::clamp(std::ceil(wanted), 1.0, 2.0 * kMaxReach));
+}
+
 /// Sets the normal of a point by the line through its neighbours, if they lie on one.
-void set_normal(const std::vector<Placed>& points, std::size_t at, const Eigen::Vector2d& laser,
-                const LevelScanConfig& config, LevelPoint& point) {
-  const std::size_t before = reach(points, at, -1, config.normal_radius_m);
-  const std::size_t after = reach(points, at, 1, config.normal_radius_m);
+void set_normal(const std::vector<Placed>& points, std::size_t at, const Surroundings& around,
+                const Eigen::Vector2d& laser, const LevelScanConfig& config, LevelPoint& point) {
+  const auto [before, after] = around;
   const double n = static_cast<double>(before + after + 1);
   if (n < 3.0) return;
   double x = 0.0, y = 0.0, xx = 0.0, xy = 0.0, yy = 0.0;
@@ -95,12 +118,12 @@ LevelScan level_scan_of(const LaserBeams& beams, const Pose& T_base_laser,
   scan.stamp = beams.stamp;
   const std::vector<Placed> points = placed(beams, T_base_laser, T_first_last, config);
   const Eigen::Vector2d laser = T_base_laser.translation().head<2>();
-  for (std::size_t i = 0, kept = 0; i < points.size(); ++i) {
-    if (i > 0 && square_distance(points[kept], points[i]) < square(config.spacing_m)) continue;
-    kept = i;
+  for (std::size_t i = 0; i < points.size();) {
     LevelPoint point{static_cast<float>(points[i].x), static_cast<float>(points[i].y)};
-    set_normal(points, i, laser, config, point);
+    const Surroundings around = surroundings_of(points, i, config);
+    set_normal(points, i, around, laser, config, point);
     scan.points.push_back(point);
+    i += stride(points, i, around, config);
   }
   return scan;
 }

@@ -14,6 +14,7 @@ namespace {
 struct Residual {
   double r_m = 0.0;
   double dx = 0.0, dy = 0.0, dyaw = 0.0;  // derivatives
+  double dyaw_across = 0.0;               // of a surface at a right angle; the others are -dy, dx
 };
 
 constexpr int kCoarseSteps = 4;  // then steps are fine
@@ -54,9 +55,9 @@ Misfit misfit_at(const LevelPoints& points, const SurfaceMap& map, const PlanarP
     const LevelPoint p = moved(point, T_map_base, c, s);
     const auto t = map.near(p, stage.width_m, stage.gate_m);
     if (!t) continue;
-    residuals.push_back(
-        {t->distance_m, t->normal_x, t->normal_y,
-         t->normal_y * (p.x_m - T_map_base.x_m) - t->normal_x * (p.y_m - T_map_base.y_m)});
+    const double x = p.x_m - T_map_base.x_m, y = p.y_m - T_map_base.y_m;
+    residuals.push_back({t->distance_m, t->normal_x, t->normal_y, t->normal_y * x - t->normal_x * y,
+                         t->normal_x * x + t->normal_y * y});
   }
   misfit.scatter_m = scatter_of(residuals, stage.least_scatter_m, config);
   double cost = static_cast<double>(misfit.points) - static_cast<double>(residuals.size());
@@ -64,7 +65,9 @@ Misfit misfit_at(const LevelPoints& points, const SurfaceMap& map, const PlanarP
     const double ratio = square(r.r_m / misfit.scatter_m);
     const double weight = 1.0 / square(1.0 + ratio);
     const Eigen::Vector3d J(r.dx, r.dy, r.dyaw);
+    const Eigen::Vector3d across(-r.dy, r.dx, r.dyaw_across);
     misfit.hessian += weight * J * J.transpose();
+    misfit.across += weight * across * across.transpose();
     misfit.gradient += weight * r.r_m * J;
     const double fixed = square(r.r_m / config.agreeing_m);
     cost += fixed / (1.0 + fixed);
@@ -85,7 +88,7 @@ Match match(const LevelPoints& points, const SurfaceMap& map, const PlanarPose& 
     // variance of one residual: points within the scatter, which is twice their deviation
     const double scale = 1.0 / (config.correlated * square(0.5 * misfit.scatter_m));
     result = {pose,        misfit.hessian * scale, Eigen::Matrix3d::Zero(), misfit.agreeing,
-              misfit.cost, misfit.points};
+              misfit.cost, misfit.points,          misfit.across * scale};
     Eigen::Matrix3d H = result.information;
     Eigen::Vector3d g = misfit.gradient * scale;
     if (prior) {
@@ -104,6 +107,13 @@ Match match(const LevelPoints& points, const SurfaceMap& map, const PlanarPose& 
   }
   result.T_map_base = pose;
   return result;
+}
+
+Eigen::Matrix3d information_beyond_normals(const Match& match, const MatchConfig& config) {
+  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver(
+      match.information - 2.0 * square(config.normal_sigma_rad) * match.information_across);
+  const Eigen::Vector3d values = solver.eigenvalues().cwiseMax(0.0);
+  return solver.eigenvectors() * values.asDiagonal() * solver.eigenvectors().transpose();
 }
 
 }  // namespace ribbon_mapper::slam

@@ -13,8 +13,12 @@ constexpr Time kPoseStep = std::chrono::milliseconds(100);
 
 }  // namespace
 
-EstimateWorker::EstimateWorker(const ModelerConfig& config, const EstimateConfig& estimate)
-    : config_(config), estimate_config_(estimate), estimate_(std::in_place, config, estimate) {
+EstimateWorker::EstimateWorker(const ModelerConfig& config, const EstimateConfig& estimate,
+                               bool with_base_laser)
+    : config_(config),
+      estimate_config_(estimate),
+      with_base_laser_(with_base_laser),
+      estimate_(std::in_place, config, estimate, with_base_laser) {
   thread_ = std::thread([this] { work(); });
 }
 
@@ -27,19 +31,18 @@ EstimateWorker::~EstimateWorker() {
   thread_.join();
 }
 
-void EstimateWorker::add(ReadyLine line) {
-  {
-    const std::lock_guard lock(mutex_);
-    queue_.push_back({std::move(line), run_});
-    ++lines_in_queue_;
-  }
-  has_task_.notify_one();
-}
+void EstimateWorker::add(ReadyLine line) { push({std::move(line), std::nullopt, 0}); }
 
-void EstimateWorker::close() {
+void EstimateWorker::add_base_scan(ReadyLine scan) { push({std::nullopt, std::move(scan), 0}); }
+
+void EstimateWorker::close() { push({std::nullopt, std::nullopt, 0}); }
+
+void EstimateWorker::push(Task task) {
   {
     const std::lock_guard lock(mutex_);
-    queue_.push_back({std::nullopt, run_});
+    task.run = run_;
+    if (task.line) ++lines_in_queue_;
+    queue_.push_back(std::move(task));
   }
   has_task_.notify_one();
 }
@@ -94,7 +97,7 @@ std::optional<EstimateWorker::Task> EstimateWorker::next_task() {
 
 EstimateNews EstimateWorker::done(const Task& task) {
   if (task.run != run_of_estimate_) {
-    estimate_.emplace(config_, estimate_config_);
+    estimate_.emplace(config_, estimate_config_, with_base_laser_);
     run_of_estimate_ = task.run;
     told_ = Time(0);
     told_decisions_ = 0;
@@ -102,6 +105,9 @@ EstimateNews EstimateWorker::done(const Task& task) {
   EstimateNews news;
   if (task.line) {
     news.outcomes.push_back(estimate_->add(*task.line));
+  } else if (task.base_scan) {
+    const std::string defect = estimate_->add_base_scan(*task.base_scan);
+    if (!defect.empty()) news.refused_base_scans.push_back(defect);
   } else {
     estimate_->finish();
     news.is_closed = true;
@@ -132,6 +138,7 @@ void EstimateWorker::deliver(EstimateNews news, std::size_t run) {
   };
   append(news_.outcomes, news.outcomes);
   append(news_.decisions, news.decisions);
+  append(news_.refused_base_scans, news.refused_base_scans);
   if (news.revision) news_.revision = std::move(news.revision);
   if (news.now) news_.now = news.now;
   news_.status = news.status;

@@ -8,6 +8,7 @@
 #include <exception>
 #include <mutex>
 #include <optional>
+#include <string>
 #include <thread>
 #include <vector>
 
@@ -21,6 +22,7 @@ struct EstimateNews {
   std::optional<std::vector<StampedPose>> revision;  ///< the newest trajectory, if it was revised
   std::optional<PoseOfNow> now;                      ///< the newest pose, if there is a new one
   std::vector<Decision> decisions;                   ///< the new ones
+  std::vector<std::string> refused_base_scans;       ///< why, for each of them
   EstimateStatus status;                             ///< the state of now
   bool is_closed = false;                            ///< close() is done; `revision` covers it
 };
@@ -32,7 +34,8 @@ struct EstimateNews {
 class EstimateWorker {
  public:
   /// Starts the thread. Throws std::invalid_argument as Modeler does.
-  EstimateWorker(const ModelerConfig& config, const EstimateConfig& estimate);
+  EstimateWorker(const ModelerConfig& config, const EstimateConfig& estimate,
+                 bool with_base_laser = false);
   /// Ends the thread after the line in work.
   ~EstimateWorker();
   EstimateWorker(const EstimateWorker&) = delete;
@@ -40,6 +43,8 @@ class EstimateWorker {
 
   /// Adds a line to the queue.
   void add(ReadyLine line);
+  /// Adds a scan of the base laser to the queue, see LiveEstimate::add_base_scan().
+  void add_base_scan(ReadyLine scan);
   /// Adjusts the whole trajectory after the lines that are in the queue now.
   void close();
   /// Forgets all lines, those in the queue too. No news of them will come.
@@ -53,11 +58,12 @@ class EstimateWorker {
   EstimateNews take_news();
 
  private:
-  /// What the thread is to do; without a line: close.
+  /// What the thread is to do; with neither line nor scan: close.
   struct Task {
-    std::optional<ReadyLine> line;
+    std::optional<ReadyLine> line, base_scan;
     std::size_t run;  ///< the estimate belongs to one run
   };
+  void push(Task task);
   void work();
   std::optional<Task> next_task();
   EstimateNews done(const Task& task);
@@ -65,6 +71,7 @@ class EstimateWorker {
 
   const ModelerConfig config_;
   const EstimateConfig estimate_config_;
+  const bool with_base_laser_;
   // Of the thread.
   std::optional<LiveEstimate> estimate_;
   std::size_t run_of_estimate_ = 0;

@@ -3,6 +3,7 @@
 #include "slam/node/live_estimate.hpp"
 
 #include <algorithm>
+#include <stdexcept>
 
 #include "modeler/observations/observations.hpp"
 #include "modeler/program/stopwatch.hpp"
@@ -19,8 +20,20 @@ EstimateSettings settings_of(const ModelerConfig& config, const EstimateConfig& 
 
 }  // namespace
 
-LiveEstimate::LiveEstimate(const ModelerConfig& config, const EstimateConfig& estimate)
-    : modeler_(config), estimate_(modeler_.observations(), settings_of(config, estimate)) {}
+LiveEstimate::LiveEstimate(const ModelerConfig& config, const EstimateConfig& estimate,
+                           bool with_base_laser)
+    : modeler_(config),
+      estimate_(modeler_.observations(), settings_of(config, estimate),
+                with_base_laser ? &base_laser_ : nullptr) {}
+
+std::string LiveEstimate::add_base_scan(const ReadyLine& scan) {
+  try {
+    base_laser_.add_scan(scan.beams, scan.poses);
+  } catch (const std::invalid_argument& error) {
+    return error.what();
+  }
+  return "";
+}
 
 LineOutcome LiveEstimate::add(const ReadyLine& line) {
   LineOutcome outcome;
@@ -70,6 +83,7 @@ EstimateStatus LiveEstimate::status() const {
   status.window_s = window_s_;
   status.longest_window_s = longest_window_s_;
   status.adjustment_s = adjustment_s_;
+  status.base_scans = base_laser_.matched();
   return status;
 }
 

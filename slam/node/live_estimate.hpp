@@ -9,6 +9,7 @@
 
 #include "modeler/modeler.hpp"
 #include "modeler/ros/intake/line_intake.hpp"
+#include "slam/base_laser/level_odometry.hpp"
 #include "slam/tilting/trajectory_estimate.hpp"
 
 namespace ribbon_mapper::slam {
@@ -42,13 +43,21 @@ struct EstimateStatus {
   double window_s = 0.0;                    ///< computing time of the last window
   double longest_window_s = 0.0;            ///< computing time of the window that took longest
   double adjustment_s = 0.0;                ///< computing time of the last whole adjustment
+  std::size_t base_scans = 0;               ///< of the base laser that were matched
 };
 
 /// An estimate of the trajectory with the observations that it reads. Both grow line by line.
 class LiveEstimate {
  public:
   /// Starts without lines. Throws std::invalid_argument as Modeler does.
-  LiveEstimate(const ModelerConfig& config, const EstimateConfig& estimate);
+  LiveEstimate(const ModelerConfig& config, const EstimateConfig& estimate,
+               bool with_base_laser = false);
+  LiveEstimate(const LiveEstimate&) = delete;  // its parts refer to each other
+  LiveEstimate& operator=(const LiveEstimate&) = delete;
+
+  /// Adds a scan of a level laser on the base, which refines the odometry of lines that are added
+  /// later. Returns why it was refused; an empty text if it was not.
+  std::string add_base_scan(const ReadyLine& scan);
 
   /// Adds a line, posed by odometry: T_map_base of its poses is T_odom_base.
   LineOutcome add(const ReadyLine& line);
@@ -77,6 +86,7 @@ class LiveEstimate {
   const TrackedPoses& recorded() const { return modeler_.observations().trajectory().recorded(); }
 
   Modeler modeler_;
+  LevelOdometry base_laser_{LevelOdometryConfig()};
   TrajectoryEstimate estimate_;
   std::optional<Eigen::Matrix3d> R_map_start_;  ///< `start` is the base at the first line
   bool is_revised_ = false;

@@ -16,11 +16,16 @@ std::string text_of(const std::optional<Decision>& decision) {
 
 }  // namespace
 
-SlamDiagnostics::SlamDiagnostics(const EstimateWorker& worker, double window_s, LineReport& lines)
+SlamDiagnostics::SlamDiagnostics(const EstimateWorker& worker, double window_s, LineReport& lines,
+                                 const BaseLaserInput* base_laser)
     : worker_(worker), window_s_(window_s) {
   updater_.setHardwareID("none");
   updater_.add("scan lines", &lines, &LineReport::diagnose);
   updater_.add("trajectory", this, &SlamDiagnostics::trajectory);
+  if (base_laser == nullptr) return;
+  updater_.add("base laser", [this, base_laser](auto& report) {
+    base_laser->diagnose(status_.base_scans, report);
+  });
 }
 
 void SlamDiagnostics::publish() { publish_now(updater_); }

@@ -5,6 +5,7 @@
 #include <diagnostic_updater/diagnostic_updater.h>
 
 #include "modeler/ros/node/line_report.hpp"
+#include "slam/node/base_laser_input.hpp"
 #include "slam/node/estimate_worker.hpp"
 
 namespace ribbon_mapper::slam {
@@ -14,7 +15,9 @@ class SlamDiagnostics {
  public:
   /// Advertises the topic. `worker` and `lines` must outlive this object. The estimate is behind if
   /// lines of more than `window_s` wait for it.
-  SlamDiagnostics(const EstimateWorker& worker, double window_s, LineReport& lines);
+  /// `base_laser` is null without one, and must outlive this object, too.
+  SlamDiagnostics(const EstimateWorker& worker, double window_s, LineReport& lines,
+                  const BaseLaserInput* base_laser);
 
   /// Takes note of the state of the estimate.
   void saw(const EstimateStatus& status) { status_ = status; }

@@ -5,6 +5,7 @@
 #include <ros/spinner.h>
 #include <std_srvs/Trigger.h>
 
+#include <optional>
 #include <utility>
 
 #include "modeler/ros/intake/clock_guard.hpp"
@@ -21,17 +22,11 @@ constexpr const char* kStopped = "time went back, ~reset is awaited";
 // Lines beyond these wait in the intake, which drops the oldest with a reason: memory is bounded.
 constexpr std::size_t kMaxLinesBehind = 5000;
 
-/// Returns the consequence of a choice, for the log.
-const char* consequence_of(OnTimeJump choice) {
-  switch (choice) {
-    case OnTimeJump::reset:
-      return "the estimate starts again (~on_time_jump reset)";
-    case OnTimeJump::stop:
-      return "the estimate stays and takes no lines until ~reset";
-    case OnTimeJump::go_on:
-      return "the estimate stays; lines older than its newest are dropped";
-  }
-  return "";
+std::optional<BaseLaserInput> base_laser(const SlamParameters& parameters,
+                                         const ros::NodeHandle& node) {
+  if (parameters.base_scan.empty()) return std::nullopt;
+  return std::optional<BaseLaserInput>(std::in_place, parameters.lines.options,
+                                       node.resolveName(parameters.base_scan));
 }
 
 /// Runs the estimate of the trajectory on ROS. One thread serves all callbacks but ~close, and none
@@ -43,7 +38,9 @@ class SlamNode {
  private:
   enum class Close { none, awaits_lines, adjusts };
 
+  void subscribe();
   void on_scan(const sensor_msgs::LaserScan& scan);
+  void on_base_scan(const sensor_msgs::LaserScan& scan);
   bool on_reset(std_srvs::Trigger::Request&, std_srvs::Trigger::Response& response);
   bool on_close(std_srvs::Trigger::Request&, std_srvs::Trigger::Response& response);
   void advertise_close();
@@ -51,7 +48,9 @@ class SlamNode {
   void check_clock();
   void on_time_jump();
   void start_again(const char* why);
+  void restart_intake(const char* why);
   void take_lines();
+  void hand_held_over();
   void take_news();
   void advance_close();
   void answer_close(const EstimateNews& news);
@@ -61,6 +60,8 @@ class SlamNode {
   ros::NodeHandle node_, private_node_{"~"};
   LineLog log_;
   LineIntake intake_;
+  std::optional<BaseLaserInput> base_laser_;
+  std::optional<ReadyLine> held_;  ///< the oldest line, which waits for the base laser
   ClockGuard clock_;
   AttentiveClock wait_clock_;
   TransformBuffer tf_;
@@ -78,7 +79,7 @@ class SlamNode {
   Closing closing_;
   ros::CallbackQueue close_queue_;
   ros::ServiceServer reset_, close_service_;
-  ros::Subscriber scan_;
+  ros::Subscriber scan_, base_scan_;
   ros::WallTimer line_timer_, report_timer_;
   ros::AsyncSpinner close_spinner_{1, &close_queue_};
 };
@@ -86,20 +87,29 @@ class SlamNode {
 SlamNode::SlamNode(const SlamParameters& parameters)
     : parameters_(parameters),
       intake_(parameters.lines.options, log_),
+      base_laser_(base_laser(parameters, node_)),
       tf_(parameters.tf_cache_s, parameters.lines.tf_drop_frames),
       tf_feed_(node_, tf_, [this] { check_clock(); }),
-      worker_(parameters.config, parameters.estimate),
+      worker_(parameters.config, parameters.estimate, !parameters.base_scan.empty()),
       publisher_(node_, private_node_, parameters),
       line_report_(log_, intake_, tf_, node_.resolveName("scan")),
-      diagnostics_(worker_, parameters.estimate.window_s, line_report_) {
+      diagnostics_(worker_, parameters.estimate.window_s, line_report_,
+                   base_laser_ ? &*base_laser_ : nullptr) {
   reset_ = private_node_.advertiseService("reset", &SlamNode::on_reset, this);
   advertise_close();
-  // Subscribed last, so that everything is ready for the first line.
-  scan_ = node_.subscribe("scan", 5000, &SlamNode::on_scan, this);
+  subscribe();
   line_timer_ = node_.createWallTimer(ros::WallDuration(0.02),
                                       [this](const ros::WallTimerEvent&) { tick(); });
   report_timer_ = node_.createWallTimer(ros::WallDuration(1.0),
                                         [this](const ros::WallTimerEvent&) { report(); });
+}
+
+/// Subscribes to the lasers. Is called when everything is ready for the first line.
+void SlamNode::subscribe() {
+  if (base_laser_) {
+    base_scan_ = node_.subscribe(parameters_.base_scan, 5000, &SlamNode::on_base_scan, this);
+  }
+  scan_ = node_.subscribe("scan", 5000, &SlamNode::on_scan, this);
 }
 
 /// Serves ~close in a thread of its own: it waits until all is computed.
@@ -117,8 +127,21 @@ void SlamNode::on_scan(const sensor_msgs::LaserScan& scan) {
   intake_.add(scan, wait_clock_.now());
   newest_received_ =
       time_of(scan.header.stamp) + from_seconds(parameters_.lines.options.scan_time_offset_s);
-  if (stopped_) intake_.restart(kStopped);
+  if (stopped_) restart_intake(kStopped);
   take_lines();
+}
+
+void SlamNode::on_base_scan(const sensor_msgs::LaserScan& scan) {
+  check_clock();
+  base_laser_->add(scan, wait_clock_.now());
+  if (stopped_) base_laser_->restart(kStopped);
+  take_lines();
+}
+
+void SlamNode::restart_intake(const char* why) {
+  intake_.restart(why);
+  if (base_laser_) base_laser_->restart(why);
+  if (std::exchange(held_, std::nullopt)) log_.dropped(why);
 }
 
 void SlamNode::tick() {
@@ -131,11 +154,18 @@ void SlamNode::tick() {
 void SlamNode::take_lines() {
   check_clock();
   const Moment now = wait_clock_.now();
+  if (base_laser_ && worker_.lines_behind() < kMaxLinesBehind)
+    base_laser_->hand_over(tf_.core(), now, worker_);
   while (worker_.lines_behind() < kMaxLinesBehind) {
-    std::optional<ReadyLine> line = intake_.take_next(tf_.core(), now);
-    if (!line) return;
-    worker_.add(std::move(*line));
+    if (!held_) held_ = intake_.take_next(tf_.core(), now);
+    if (!held_ || (base_laser_ && !base_laser_->lets_pass(middle_of(held_->beams), now))) return;
+    hand_held_over();
   }
+}
+
+void SlamNode::hand_held_over() {
+  if (held_) worker_.add(std::move(*held_));
+  held_.reset();
 }
 
 void SlamNode::take_news() {
@@ -149,6 +179,7 @@ void SlamNode::take_news() {
       log_.handled(to_string(outcome.result), outcome.seconds);
     }
   }
+  if (base_laser_) base_laser_->refused(news.refused_base_scans);
   for (const Decision& decision : news.decisions)
     ROS_INFO("%s: %s", name_of(decision.kind).c_str(), decision.reason.c_str());
   if (std::exchange(status_, news.status).is_lost != news.status.is_lost) {
@@ -161,7 +192,7 @@ void SlamNode::take_news() {
 }
 
 bool SlamNode::on_reset(std_srvs::Trigger::Request&, std_srvs::Trigger::Response& response) {
-  intake_.restart("reset");
+  restart_intake("reset");
   start_again("reset");
   stopped_ = false;
   response.success = true;
@@ -184,8 +215,9 @@ void SlamNode::advance_close() {
         ros::WallTime::now() + ros::WallDuration(parameters_.lines.options.transform_timeout_s);
   }
   if (close_ != Close::awaits_lines) return;
-  const bool has_all = intake_.waiting() == 0 || intake_.done() >= newest_received_;
+  const bool has_all = !held_ && (intake_.waiting() == 0 || intake_.done() >= newest_received_);
   if (!has_all && ros::WallTime::now() < close_deadline_) return;
+  hand_held_over();
   worker_.close();
   close_ = Close::adjusts;
 }
@@ -210,12 +242,14 @@ void SlamNode::check_clock() {
 /// Separates the runs: lines and transforms of before and after do not fit one trajectory.
 void SlamNode::on_time_jump() {
   tf_.start_next_run();
+  if (std::exchange(held_, std::nullopt)) log_.dropped("the clock was set back");
   intake_.start_next_run("the clock was set back");
+  if (base_laser_) base_laser_->start_next_run("the clock was set back");
   newest_received_ = Time(0);
   if (parameters_.on_time_jump == OnTimeJump::reset) start_again("the clock was set back");
   publisher_.forget_clock();
   stopped_ = parameters_.on_time_jump == OnTimeJump::stop;
-  if (stopped_) intake_.restart(kStopped);
+  if (stopped_) restart_intake(kStopped);
   ROS_WARN("Simulated time went back: %s", consequence_of(parameters_.on_time_jump));
 }
 
@@ -223,6 +257,7 @@ void SlamNode::start_again(const char* why) {
   worker_.reset();
   publisher_.reset();
   log_ = {};
+  if (base_laser_) base_laser_->reset_counts();
   line_report_.restart();
   status_ = {};
   diagnostics_.saw(status_);
@@ -235,6 +270,8 @@ void SlamNode::report() {
   diagnostics_.publish();
   if (++reports_ % 5 != 0) return;  // counted, not throttled: simulated time may stand still
   line_report_.warn();
+  if (base_laser_ && base_laser_->is_silent())
+    ROS_WARN("The base laser is silent: the recorded odometry is used");
   const std::string complaint = line_report_.complaint();
   if (!complaint.empty()) {
     ROS_WARN("%s", complaint.c_str());

@@ -30,6 +30,7 @@ SlamParameters SlamParameters::read() {
   p.tf_cache_s = from.number("tf_cache", 120.0, 10.0, 3600.0);
   p.transform_tolerance_s = from.number("transform_tolerance", 0.1, 0.0, 1.0);
   p.publish_tf = from.flag("publish_tf", true);
+  p.base_scan = from.text("base_scan", "");
   p.on_time_jump = on_time_jump_from(from.text("on_time_jump", "reset"));
   from.refuse_unknown();
   Frames& frames = p.lines.options.frames;
@@ -46,6 +47,18 @@ SlamParameters SlamParameters::read() {
                                 "to true for the modeler, or publish_tf to false");
   }
   return p;
+}
+
+const char* consequence_of(OnTimeJump choice) {
+  switch (choice) {
+    case OnTimeJump::reset:
+      return "the estimate starts again (~on_time_jump reset)";
+    case OnTimeJump::stop:
+      return "the estimate stays and takes no lines until ~reset";
+    case OnTimeJump::go_on:
+      return "the estimate stays; lines older than its newest are dropped";
+  }
+  return "";
 }
 
 }  // namespace ribbon_mapper::slam

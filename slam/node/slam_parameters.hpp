@@ -15,6 +15,7 @@ namespace ribbon_mapper::slam {
 struct SlamParameters {
   IntakeParameters lines;        ///< frames and times; its map frame is that of odometry
   std::string map_frame;         ///< of the estimate
+  std::string base_scan;         ///< topic of a level laser on the base; empty: none
   ModelerConfig config;          ///< the preset: how ribbons are made
   EstimateConfig estimate;       ///< what belongs to the estimate alone
   double tf_cache_s;             ///< how long transforms are kept
@@ -26,5 +27,8 @@ struct SlamParameters {
   /// and what is allowed, or std::runtime_error about the preset.
   static SlamParameters read();
 };
+
+/// Returns the consequence of a choice, for the log.
+const char* consequence_of(OnTimeJump choice);
 
 }  // namespace ribbon_mapper::slam

@@ -68,8 +68,7 @@ void LineTracker::add_ribbons(const PosedLines& lines, std::uint32_t line) {
 }
 
 void LineTracker::track(PosedLines& lines, std::uint32_t line, const OdometryNoise& noise) {
-  const Pose step = lines.step(line);
-  if (line > 0) belief_ = after_step(belief_, step, noise.variances(step));
+  if (line > 0) belief_ = lines.after_step_to(line, belief_, noise);
   observations_ = lines.measured(line, noise, settings_.range_noise());
   list_candidates(lines, line);
   if (line > 0) {

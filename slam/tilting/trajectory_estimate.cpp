@@ -9,11 +9,12 @@
 namespace ribbon_mapper::slam {
 
 TrajectoryEstimate::TrajectoryEstimate(const Observations& observations,
-                                       const EstimateSettings& settings)
+                                       const EstimateSettings& settings,
+                                       const OdometrySource* odometry)
     : settings_(settings),
       noise_scale_(settings.estimate.first_noise_scale, settings.estimate.first_spatial_scale),
       noise_(noise_scale_.noise()),
-      lines_(observations),
+      lines_(observations, odometry),
       tracker_(settings),
       relocaliser_(settings) {}
 

@@ -22,8 +22,10 @@ namespace ribbon_mapper::slam {
 class TrajectoryEstimate {
  public:
   /// Starts without lines. `observations` hold the lines to come and must outlive this; their
-  /// poses in map are not used.
-  TrajectoryEstimate(const Observations& observations, const EstimateSettings& settings);
+  /// poses in map are not used. `odometry` takes the place of the recorded one unless it is null,
+  /// and must then outlive this, too.
+  TrajectoryEstimate(const Observations& observations, const EstimateSettings& settings,
+                     const OdometrySource* odometry = nullptr);
 
   /// Takes the lines that the observations have gained. Must be called after each line if the
   /// observations may be thinned. Returns true if poses of older lines were revised.

@@ -23,6 +23,12 @@ class Diagnostics:
         reports = self.reports()
         return reports[-1].get(key) if reports else None
 
+    def status(self, name):
+        """Returns the newest status of a name, or None."""
+        wanted = self._node + ': ' + name
+        return next((status for array in reversed(list(self._arrays.messages))
+                     for status in array.status if status.name == wanted), None)
+
     def wait_until_handled(self, lines):
         """Waits until the modeler has received so many lines and none of them waits for tf."""
         wanted = (str(lines), '0')

@@ -87,3 +87,16 @@ class Robot:
         self.publish_tf(self.line + 1)
         self.publish_scan(scan)
         self.line += 1
+
+
+class OdometryRobot(Robot):
+    """Without localisation: slam is the one who publishes map -> odom."""
+
+    def publish_tf(self, line):
+        if line <= self._newest_tf:
+            return
+        self._newest_tf = line
+        self.tf.publish(TFMessage([
+            self.transform('odom_combined', 'base_footprint', line),
+            self.transform('base_footprint', 'laser_tilt_link', line, height=1.0,
+                           tilt=self.tilt(line))]))

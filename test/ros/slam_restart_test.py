@@ -13,7 +13,7 @@ from std_srvs.srv import Trigger
 from tf2_msgs.msg import TFMessage
 
 from diagnostics import Diagnostics
-from robot_before_a_wall import Robot
+from robot_before_a_wall import OdometryRobot
 from waiting import Latest, eventually, service
 
 LINES = 200  # 5 s, with a window
@@ -106,19 +106,6 @@ class SlamRestart(unittest.TestCase):
         self.assertTrue(eventually(lambda: self.diagnostics.value('lines dropped') == '5'),
                         self.diagnostics.reports()[-1:])
         self.assertEqual(len(self.close_and_get()), good)
-
-
-class OdometryRobot(Robot):
-    """Without localisation: slam is the one who publishes map -> odom."""
-
-    def publish_tf(self, line):
-        if line <= self._newest_tf:
-            return
-        self._newest_tf = line
-        self.tf.publish(TFMessage([
-            self.transform('odom_combined', 'base_footprint', line),
-            self.transform('base_footprint', 'laser_tilt_link', line, height=1.0,
-                           tilt=self.tilt(line))]))
 
 
 if __name__ == '__main__':

@@ -83,6 +83,13 @@ TEST(Tour, PosesFitTogether) {
   EXPECT_TRUE(tour.true_T_map_base(t).isApprox(kRoute.T_map_base(t), 1e-12));
 }
 
+TEST(Tour, OdometryBeginsAtTheTruePose) {
+  const World world = room_with_post();
+  const Tour tour(world, kRoute, {});
+  EXPECT_TRUE((tour.T_map_odom_at_start() * tour.T_odom_base(Time(0)))
+                  .isApprox(tour.true_T_map_base(Time(0)), 1e-12));
+}
+
 /// The beams in closed form: from 0.275 m ahead of the base's centre and 0.303 m above the floor,
 /// each at its own time, level, a quarter of a degree apart from -130 to +130 degrees.
 TEST(Tour, TheBaseLaserScansLevelAllAround) {

@@ -33,6 +33,9 @@ std::variant<OfflineOptions, int> parse_offline_options(int argc, const char* co
   app.add_option("--trajectory", options.trajectory,
                  "corrected poses of the base in map (TUM: stamp x y z qx qy qz qw); or `self`: "
                  "estimated from odometry and planes");
+  app.add_option("--base-scan", options.base_scan,
+                 "topic of a level laser on the base, which refines the odometry of "
+                 "--trajectory self, such as base_scan");
   app.add_flag("--poses-are-final", options.poses_are_final,
                "treat the recorded poses as corrected ones; implied if the base stands still")
       ->excludes("--trajectory");
@@ -41,6 +44,9 @@ std::variant<OfflineOptions, int> parse_offline_options(int argc, const char* co
                "draw model_views.png: the model from above and from the side");
   try {
     app.parse(argc, argv);
+    if (!options.base_scan.empty() && !options.estimates_trajectory()) {
+      throw CLI::ValidationError("--base-scan", "only the estimate uses it: add --trajectory self");
+    }
   } catch (const CLI::ParseError& error) {
     return app.exit(error) == 0 ? 0 : 2;
   }

@@ -18,6 +18,7 @@
 #include "modeler/ros/intake/model_doubts.hpp"
 #include "modeler/ros/node/model_keeper.hpp"
 #include "modeler/ros/node/turn_check.hpp"
+#include "modeler/ros/offline/base_scans.hpp"
 #include "modeler/storage/file_set.hpp"
 #include "modeler/surface/outline.hpp"
 #include "slam/tilting/trajectory_estimate.hpp"
@@ -42,12 +43,15 @@ void add_doubts_about_lines(const LineLog& log, OfflineSummary& summary) {
 
 /// The model of a recording, and what is learnt beside it.
 struct Modelling {
-  Modelling(const ModelerConfig& config, bool with_estimate) : keeper(config) {
-    if (with_estimate) {
-      estimate.emplace(keeper.modeler().observations(), slam::estimate_settings(config));
-    }
+  Modelling(const ModelerConfig& config, const OfflineOptions& options) : keeper(config) {
+    if (!options.estimates_trajectory()) return;
+    if (!options.base_scan.empty())
+      base_scans.emplace(options.bags, options.bag, options.base_scan);
+    estimate.emplace(keeper.modeler().observations(), slam::estimate_settings(config),
+                     base_scans ? &base_scans->odometry() : nullptr);
   }
   void add(const ReadyLine& line) {
+    if (base_scans) base_scans->take_until(middle_of(line.beams));
     keeper.add(line);
     turns.add(line.beams.stamp, line.poses.T_odom_base_first);
     if (estimate) estimate->update();
@@ -55,6 +59,7 @@ struct Modelling {
 
   ModelKeeper keeper;
   TurnCheck turns;
+  std::optional<BaseScans> base_scans;
   std::optional<slam::TrajectoryEstimate> estimate;
 };
 
@@ -106,11 +111,13 @@ bool stands_still(const std::vector<StampedPose>& trajectory) {
 }
 
 /// Ends an estimate. Returns it in map, from the first recorded pose on, and keeps its covariances.
-std::vector<StampedPose> finished(slam::TrajectoryEstimate& estimate, const Modeler& modeler,
-                                  OfflineRun& run) {
+std::vector<StampedPose> finished(Modelling& modelling, OfflineRun& run) {
+  slam::TrajectoryEstimate& estimate = *modelling.estimate;
+  const Modeler& modeler = modelling.keeper.modeler();
   estimate.finish();
-  run.summary.trajectory = "estimated from odometry and planes; odometry " +
-                           number(estimate.noise_scale(), 1) + " x gmapping's noise";
+  run.summary.trajectory =
+      "estimated from odometry" + std::string(modelling.base_scans ? ", a level laser" : "") +
+      " and planes" + "; odometry " + number(estimate.noise_scale(), 1) + " x gmapping's noise";
   std::vector<StampedPose> poses = estimate.trajectory();
   const Pose T_map_estimate =
       modeler.trajectory().front().T_map_base * poses.front().T_map_base.inverse(Eigen::Isometry);
@@ -118,8 +125,11 @@ std::vector<StampedPose> finished(slam::TrajectoryEstimate& estimate, const Mode
   for (const Matrix6& covariance : estimate.covariances()) {
     run.covariances.push_back(in_other_axes(covariance, T_map_estimate.linear()));
   }
-  run.summary.estimate = {precision_of(run.covariances), estimate.noise_scale(),
-                          slam::texts_of(estimate.decisions(), poses.front().stamp)};
+  EstimateFigures& figures = run.summary.estimate.emplace();
+  figures.precision = precision_of(run.covariances);
+  figures.noise_scale = estimate.noise_scale();
+  if (modelling.base_scans) figures.base_scans = modelling.base_scans->figures();
+  figures.decisions = slam::texts_of(estimate.decisions(), poses.front().stamp);
   return poses;
 }
 
@@ -129,7 +139,7 @@ std::vector<StampedPose> final_poses(const OfflineOptions& options, Modelling& m
                                      OfflineRun& run) {
   const Modeler& modeler = modelling.keeper.modeler();
   std::string& origin = run.summary.trajectory;
-  if (modelling.estimate) return finished(*modelling.estimate, modeler, run);
+  if (modelling.estimate) return finished(modelling, run);
   if (!options.trajectory.empty()) {
     origin = options.trajectory.filename().string();
     return read_tum(options.trajectory);
@@ -171,7 +181,7 @@ void describe(const ModelKeeper& keeper, const ModelerConfig& config, OfflineRun
 
 OfflineRun model_bags(const OfflineOptions& options, const ProgressCallback& progress) {
   const ModelerConfig config = load_config(find_installed_file(options.config).string());
-  Modelling modelling(config, options.estimates_trajectory());
+  Modelling modelling(config, options);
   ModelKeeper& keeper = modelling.keeper;
   OfflineRun run;
   for (const auto& bag : options.bags) run.summary.bags.push_back(bag.filename().string());

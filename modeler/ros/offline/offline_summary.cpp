@@ -14,14 +14,26 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
+Json counts(const std::map<std::string, std::size_t>& by_reason) {
+  return by_reason.empty() ? Json::object() : Json(by_reason);
+}
+
+Json to_json(const std::optional<BaseScanFigures>& base) {
+  if (!base) return nullptr;
+  return {{"scan_topic", base->topic},
+          {"scans", base->scans},
+          {"matched", base->matched},
+          {"dropped", counts(base->dropped)}};
+}
+
 Json to_json(const std::optional<EstimateFigures>& estimate) {
   if (!estimate) return nullptr;
-  return {{"position_sigma_m_median", estimate->precision.position_m_median},
-          {"position_sigma_m_largest", estimate->precision.position_m_largest},
-          {"heading_sigma_deg_median", estimate->precision.heading_deg_median},
-          {"heading_sigma_deg_largest", estimate->precision.heading_deg_largest},
-          {"noise_scale", estimate->noise_scale},
-          {"decisions", estimate->decisions}};
+  Json json;
+  for (const auto& [name, sigma] : named_sigmas(estimate->precision)) json[name] = sigma;
+  json["noise_scale"] = estimate->noise_scale;
+  json["base_laser"] = to_json(estimate->base_scans);
+  json["decisions"] = estimate->decisions;
+  return json;
 }
 
 }  // namespace
@@ -37,7 +49,6 @@ double real_time_factor(const OfflineSummary& summary) {
 }
 
 std::string summary_to_json(const OfflineSummary& s, const std::string& run_id) {
-  const Json none = Json::object();
   const Json json{
       {"run", run_id},
       {"bags", s.bags},
@@ -48,9 +59,9 @@ std::string summary_to_json(const OfflineSummary& s, const std::string& run_id) 
       {"notes", s.notes},
       {"lines", s.lines},
       {"lost_lines", s.lost_lines},
-      {"dropped_lines", s.dropped_lines.empty() ? none : Json(s.dropped_lines)},
+      {"dropped_lines", counts(s.dropped_lines)},
       {"dropped_lines_total", dropped_total(s)},
-      {"handled_lines", s.handled_lines.empty() ? none : Json(s.handled_lines)},
+      {"handled_lines", counts(s.handled_lines)},
       {"repeated_transforms", s.repeated_transforms},
       {"refused_transforms", s.refused_transforms},
       {"ribbons", s.ribbons},

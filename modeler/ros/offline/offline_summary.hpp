@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "modeler/chain/pose_precision.hpp"
+#include "modeler/ros/offline/base_scans.hpp"
 
 namespace ribbon_mapper {
 
@@ -16,6 +17,7 @@ namespace ribbon_mapper {
 struct EstimateFigures {
   PosePrecision precision;   ///< as its covariances state it
   double noise_scale = 1.0;  ///< learnt for the odometry, as a multiple of gmapping's
+  std::optional<BaseScanFigures> base_scans;  ///< of the level laser, if it was used
   /// Where it was lost and found: for each decision its time, its name, and why.
   std::vector<std::string> decisions;
 };

@@ -26,6 +26,14 @@ TEST(PosePrecision, IsMedianAndLargestOfDistanceAndHeading) {
   EXPECT_NEAR(precision.heading_deg_largest, 5.0, 1e-12);
 }
 
+TEST(PosePrecision, HasNamesForSummaries) {
+  const auto named = named_sigmas({1.0, 2.0, 3.0, 4.0});
+  EXPECT_STREQ(named[0].first, "position_sigma_m_median");
+  EXPECT_STREQ(named[3].first, "heading_sigma_deg_largest");
+  for (std::size_t i = 0; i < named.size(); ++i)
+    EXPECT_EQ(named[i].second, static_cast<double>(i + 1));
+}
+
 TEST(PosePrecision, OfNothingIsZero) { EXPECT_EQ(precision_of({}).position_m_largest, 0.0); }
 
 }  // namespace

@@ -206,7 +206,9 @@ struct DenseReference {
     const Eigen::Matrix3d to_base = pose(i, false)->linear().transpose();
     Vector6 on_axes;
     on_axes << to_base * error.head<3>(), to_base * error.tail<3>();
-    add(on_axes.cwiseQuotient(segment.step_variances[i].cwiseSqrt()));
+    Matrix6 information = segment.step_variances[i].cwiseInverse().asDiagonal();
+    if (!observing.step_information.empty()) information = observing.step_information[i];
+    add(information.llt().matrixU() * on_axes);
   }
 
   const std::vector<ObservingLine>& known;
@@ -251,6 +253,17 @@ void expect_dense_solution(const std::vector<ObservingLine>& known,
 TEST(PlaneAdjustment, IsTheDenseSolutionBetweenTwoEnds) {
   const Scene scene(6);
   expect_dense_solution({}, scene.disturbed(1e-4));
+}
+
+TEST(PlaneAdjustment, TakesTheInformationOfStepsInPlaceOfTheirVariances) {
+  const Scene scene(6);
+  ObservingSegment observing = scene.disturbed(1e-4);
+  for (const Vector6& variances : observing.segment.step_variances) {
+    Matrix6 information = (0.1 * variances).cwiseInverse().asDiagonal();
+    information(0, 1) = information(1, 0) = 0.5 * information(0, 0);
+    observing.step_information.push_back(information);
+  }
+  expect_dense_solution({}, observing);
 }
 
 TEST(PlaneAdjustment, IsTheDenseSolutionWithAnOpenEnd) {

@@ -91,6 +91,18 @@ TEST(Step, ForwardPropagatesTheErrorsOfPoseAndStep) {
   EXPECT_LT(difference(pushed(by_pose, from.covariance) + noise, to.covariance), 1e-7);
 }
 
+TEST(Step, ForwardTakesACovarianceAlongTheSameAxes) {
+  const PoseBelief from{any_pose(7), any_covariance(0.1, 7)};
+  const Vector6 variances = vector6(0.1, 0.2, 0.3, 0.4, 0.5, 0.6);
+  const PoseBelief to = after_step(from, any_pose(8), variances);
+  const Matrix6 correlated = any_covariance(0.1, 9);
+  const Matrix6 added = after_step(from, any_pose(8), correlated).covariance - to.covariance;
+  const Eigen::Matrix3d rotation = from.T_model_base.linear();
+  EXPECT_LT(
+      difference(in_other_axes(correlated, rotation) - in_model_axes(variances, rotation), added),
+      1e-12);
+}
+
 TEST(Step, BackwardPropagatesTheErrorsOfPoseAndStep) {
   const PoseBelief to{any_pose(9), any_covariance(0.1, 9)};
   const Pose step = any_pose(10);
@@ -108,8 +120,8 @@ TEST(Step, BackwardPropagatesTheErrorsOfPoseAndStep) {
 
 TEST(Step, ThereAndBackIsTheSameBeliefIfTheStepIsExact) {
   const PoseBelief belief{any_pose(11), any_covariance(0.1, 11)};
-  const PoseBelief back =
-      before_step(after_step(belief, any_pose(12), Vector6::Zero()), any_pose(12), Vector6::Zero());
+  const Vector6 exact = Vector6::Zero();
+  const PoseBelief back = before_step(after_step(belief, any_pose(12), exact), any_pose(12), exact);
   EXPECT_LT(difference(belief.T_model_base, back.T_model_base), 1e-12);
   EXPECT_LT(difference(belief.covariance, back.covariance), 1e-12);
 }

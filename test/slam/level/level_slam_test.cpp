@@ -133,9 +133,9 @@ TEST(LevelSlam, RefusesWhatIsNotFiniteOrNotLaterAndGoesOn) {
   EXPECT_NEAR(result.trajectory[1].T_map_base.x_m, 0.1, 0.005);
 }
 
-TEST(OdometryNoise, LearnsHowExactTheOdometryIs) {
+TEST(PlanarOdometryNoise, LearnsHowExactTheOdometryIs) {
   const PlanarPose step{0.2, 0.0, 0.0};
-  OdometryNoise exact({}), coarse({});
+  PlanarOdometryNoise exact({}), coarse({});
   for (int i = 0; i < 500; ++i) {
     const double sign = i % 2 == 0 ? 1.0 : -1.0;
     exact.learn(step, {sign * 0.002, 0.0, sign * 0.0005});

@@ -4,6 +4,8 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
+
 namespace ribbon_mapper::slam {
 namespace {
 
@@ -84,6 +86,83 @@ TEST(PosedLines, ForgetASlipThatIsTakenBack) {
   EXPECT_TRUE(lines.is_slip(7));
   lines.set_slip(7, false);
   EXPECT_FALSE(lines.is_slip(7));
+}
+
+/// Twice the way, which is known well across and not at all along, and a count of the questions.
+class TwiceTheWay : public OdometrySource {
+ public:
+  Pose T_odom_base(Time, const Pose& recorded) const override {
+    ++questions;
+    return Pose(Eigen::Translation3d(2.0 * recorded.translation()));
+  }
+  Eigen::Matrix3d step_covariance(Time from, Time to, const Pose& step) const override {
+    EXPECT_EQ(to - from, Time(1'000'000));
+    EXPECT_TRUE(step.isApprox(planar_pose(2.0, 0.0, 0.0)));
+    return kStep.asDiagonal();
+  }
+  mutable int questions = 0;
+  inline static const Eigen::Vector3d kStep{1.0, 1e-4, 2e-4};
+};
+
+/// Lines that take the steps of a source.
+struct LinesOfASource {
+  LinesOfASource() {
+    for (const int ribbons : {3, 3, 3, 3}) add_line(observations, ribbons);
+    lines.keep_in_step();
+    while (lines.has_next()) lines.add_next();
+  }
+  Observations observations{TrajectoryConfig{}};
+  TwiceTheWay source;
+  PosedLines lines{observations, &source};
+};
+
+TEST(PosedLines, TakeTheStepsOfASourceAndAskItOncePerLine) {
+  LinesOfASource with;
+  EXPECT_TRUE(with.lines.step(2).isApprox(planar_pose(2.0, 0.0, 0.0)));
+  EXPECT_TRUE(with.lines.recorded_step(2).isApprox(planar_pose(1.0, 0.0, 0.0)));
+  EXPECT_EQ(with.source.questions, 4);
+  with.observations.thin(4);
+  ASSERT_TRUE(with.lines.keep_in_step());
+  for (std::uint32_t i = 0; i < with.lines.size(); ++i) {
+    const double number = static_cast<double>(with.lines.stamp(i).count()) / 1e6;
+    EXPECT_DOUBLE_EQ(with.lines.T_odom_base(i).translation().x(), 2.0 * number);
+  }
+  EXPECT_EQ(with.source.questions, 4);
+}
+
+/// Expects a covariance to be that of the recorded noise and of so many steps of the source.
+void expect_fused(const PosedLines& lines, std::size_t line, double steps) {
+  OdometryNoise noise;
+  noise.planar_scale = 3.0;
+  const Vector6 recorded = noise.variances(lines.step(line));
+  const Matrix6 fused = lines.fused_covariance(line, noise);
+  const std::array<int, 3> planar{0, 1, 5};
+  for (std::size_t i = 0; i < planar.size(); ++i) {
+    const int k = planar[i];
+    const double source = steps * TwiceTheWay::kStep[static_cast<Eigen::Index>(i)];
+    const double expected = 1.0 / (1.0 / recorded[k] + 1.0 / source);
+    EXPECT_NEAR(fused(k, k), expected, 1e-5 * expected + 1e-9) << k;
+  }
+  for (const int k : {2, 3, 4}) EXPECT_EQ(fused(k, k), recorded[k]);
+}
+
+TEST(PosedLines, FuseTheNoiseOfTheOdometryWithThatOfTheSource) {
+  LinesOfASource with;
+  expect_fused(with.lines, 2, 1.0);
+  const Matrix6 fused = with.lines.fused_covariance(2, {});
+  const PoseBelief belief = with.lines.after_step_to(2, {}, {});
+  EXPECT_TRUE(belief.covariance.isApprox(fused));
+  EXPECT_TRUE(belief.T_model_base.isApprox(with.lines.step(2)));
+}
+
+TEST(PosedLines, AStepOverLinesThatWereForgottenIsAsUncertainAsTheirs) {
+  LinesOfASource with;
+  with.observations.thin(4);
+  ASSERT_TRUE(with.lines.keep_in_step());
+  ASSERT_LT(with.lines.size(), 4U);
+  for (std::uint32_t i = 1; i < with.lines.size(); ++i) {
+    expect_fused(with.lines, i, 1e3 * with.lines.seconds_between(i - 1, i));
+  }
 }
 
 }  // namespace

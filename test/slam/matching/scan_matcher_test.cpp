@@ -4,6 +4,9 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+#include <random>
+
 #include "test/slam/matching/wall_world.hpp"
 
 namespace ribbon_mapper::slam {
@@ -68,6 +71,39 @@ TEST(Match, FindsThePoseInARoom) {
     EXPECT_NEAR(found.T_map_base.yaw_rad, truth.yaw_rad, 0.002);
     EXPECT_GT(found.agreeing, 0.9);
   }
+}
+
+/// Returns points whose normals err by 0.04 rad.
+LevelPoints with_wrong_normals(LevelPoints points) {
+  std::mt19937 random(1);
+  std::normal_distribution<float> turn(0.0F, 0.04F);
+  for (LevelPoint& p : points) {
+    const float c = std::cos(turn(random)), s = std::sin(turn(random));
+    const float x = p.normal_x;
+    p.normal_x = c * x - s * p.normal_y, p.normal_y = s * x + c * p.normal_y;
+  }
+  return points;
+}
+
+/// Returns a match at the truth against surfaces whose normals err.
+Match match_with_wrong_normals(const WallWorld& world) {
+  const LevelPoints points = world.scan({}, 1.0, true).points;
+  return match(points, SurfaceMap(with_wrong_normals(points)), {}, std::nullopt, {});
+}
+
+TEST(InformationBeyondNormals, IsNoneAlongACorridorAndAllAcrossIt) {
+  const Match found = match_with_wrong_normals(WallWorld::corridor());
+  ASSERT_GT(found.information(0, 0), 1e-4 * found.information(1, 1)) << "it is feigned";
+  const Eigen::Matrix3d left = information_beyond_normals(found, {});
+  EXPECT_LT(left(0, 0), 0.1 * found.information(0, 0));
+  EXPECT_GT(left(1, 1), 0.95 * found.information(1, 1));
+  EXPECT_GT(left(2, 2), 0.95 * found.information(2, 2));
+}
+
+TEST(InformationBeyondNormals, IsThatOfTheMatchInARoom) {
+  const Match found = match_with_wrong_normals(WallWorld::room());
+  const Eigen::Matrix3d left = information_beyond_normals(found, {});
+  EXPECT_LT((left - found.information).norm(), 0.02 * found.information.norm());
 }
 
 TEST(Match, KeepsToItsPriorAlongACorridor) {

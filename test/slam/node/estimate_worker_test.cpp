@@ -43,6 +43,8 @@ EstimateNews news_until_closed(EstimateWorker& worker) {
     all.outcomes.insert(all.outcomes.end(), news.outcomes.begin(), news.outcomes.end());
     if (news.revision) all.revision = std::move(news.revision);
     if (news.now) all.now = news.now;
+    for (const std::string& reason : news.refused_base_scans)
+      all.refused_base_scans.push_back(reason);
     all.status = news.status;
     all.is_closed = news.is_closed;
     std::this_thread::sleep_for(std::chrono::milliseconds(1));
@@ -124,6 +126,27 @@ PoseOfNow now_in(const Pose& T_odom_world) {
     estimate.add(ready(line, T_odom_world));
   }
   return estimate.now(estimate.trajectory().back());
+}
+
+TEST(EstimateWorker, ABaseLaserRefinesTheOdometry) {
+  const double end_s = 12.0;
+  const mini_world::Motion level{after_rest(mini_world::around_the_middle),
+                                 [](double) { return 0.0; },
+                                 after_rest(mini_world::wandering_drift)};
+  const Lines lines = lines_of_circle(0.0, end_s),
+              scans = mini_world::drive(mini_world::room(), level, 0.0, end_s);
+  ASSERT_EQ(lines.size(), scans.size());
+  EstimateWorker worker({}, {}, true);
+  for (std::size_t i = 0; i < lines.size(); ++i) {
+    worker.add_base_scan(ready(scans[i]));
+    worker.add(ready(lines[i]));
+  }
+  worker.add_base_scan(ready(scans[0]));
+  worker.close();
+  const EstimateNews news = news_until_closed(worker);
+  EXPECT_EQ(news.outcomes.size(), lines.size());
+  EXPECT_GT(news.status.base_scans, lines.size() / 2);
+  EXPECT_EQ(news.refused_base_scans.size(), 1U);
 }
 
 TEST(LiveEstimate, TheCovarianceIsAlongTheAxesOfMap) {

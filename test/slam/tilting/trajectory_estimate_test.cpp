@@ -166,6 +166,35 @@ TEST(TrajectoryEstimate, GoesOnWhenTheModelIsThinned) {
   EXPECT_LT(errors_of(poses, lines).distance_m, 0.04);
 }
 
+/// The true motion, as if another sensor saw it.
+class TrueMotion : public OdometrySource {
+ public:
+  explicit TrueMotion(const Lines& lines) {
+    for (const StampedPose& pose : mini_world::true_trajectory(lines)) {
+      T_map_base_[pose.stamp] = pose.T_map_base;
+    }
+  }
+  Pose T_odom_base(Time stamp, const Pose&) const override { return T_map_base_.at(stamp); }
+  Eigen::Matrix3d step_covariance(Time, Time, const Pose&) const override {
+    return 1e-8 * Eigen::Matrix3d::Identity();
+  }
+
+ private:
+  std::map<Time, Pose> T_map_base_;
+};
+
+TEST(TrajectoryEstimate, IsMoreExactWithABetterSourceOfTheOdometry) {
+  const Lines lines = lines_of_circle(0.0, 12.0);
+  Estimated recorded(lines);
+  recorded.estimate.finish();
+  const TrueMotion truth(lines);
+  TrajectoryEstimate refined(recorded.modeler.observations(), estimate_settings({}), &truth);
+  refined.update();
+  refined.finish();
+  EXPECT_LT(errors_of(refined.trajectory(), lines).distance_m,
+            0.5 * errors_of(recorded.estimate.trajectory(), lines).distance_m);
+}
+
 TEST(TrajectoryEstimate, StatesCovariancesThatItsErrorsAgreeWith) {
   const Lines lines = lines_of_circle(0.0, 18.0);
   Estimated run(lines);
