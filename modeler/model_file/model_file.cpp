@@ -191,6 +191,21 @@ ModelFile from_model_file(std::string_view bytes) {
   }
 }
 
+std::vector<std::string> differences(const ModelFile& file, const ModelerConfig& config,
+                                     const std::string& frame) {
+  std::vector<std::string> sentences;
+  if (file.frame != frame) {
+    sentences.push_back("the model's frame was '" + file.frame + "', is '" + frame +
+                        "': its coordinates stay");
+  }
+  for (const std::string& change : changed_keys(file.config, config)) {
+    const bool is_of_lines = change.rfind("scan.", 0) == 0 || change.rfind("ribbon.", 0) == 0;
+    sentences.push_back(change + (is_of_lines ? ": for new lines, the loaded ribbons stay"
+                                              : ": for the whole model"));
+  }
+  return sentences;
+}
+
 void save_model_file(const Modeler& modeler, const fs::path& path, const std::string& frame,
                      const std::vector<Section>& additions) {
   write_file_atomically(path, to_model_file(modeler, frame, additions));

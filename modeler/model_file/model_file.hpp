@@ -33,6 +33,11 @@ std::string to_model_file(const Modeler& modeler, const std::string& frame = "ma
 /// file, cut, damaged, of a newer format, or with numbers that no model can have.
 ModelFile from_model_file(std::string_view bytes);
 
+/// Returns a sentence for each value of the configuration that differs, and for the frame, and what
+/// holds for a session that goes on from the file with these.
+std::vector<std::string> differences(const ModelFile& file, const ModelerConfig& config,
+                                     const std::string& frame);
+
 /// Replaces a file by one with this model, see write_file_atomically() for crashes and errors.
 void save_model_file(const Modeler& modeler, const std::filesystem::path& path,
                      const std::string& frame = "map", const std::vector<Section>& additions = {});
