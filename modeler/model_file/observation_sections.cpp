@@ -4,6 +4,7 @@
 
 #include <array>
 #include <cmath>
+#include <string>
 
 namespace ribbon_mapper {
 namespace {
@@ -37,6 +38,27 @@ bool can_be(const Ribbon& ribbon) {
          is_within(samples.variance_m2, 0.0F, kLargest_m);
 }
 
+/// Writes each sample in one step, as there are millions.
+void write_samples(const RibbonSamples& samples, ByteWriter& to) {
+  std::string bytes(kSampleBytes * samples.size, '\0');
+  for (std::uint32_t i = 0; i < samples.size; ++i) {
+    const PackedSample& sample = samples.first[i];
+    bytes[kSampleBytes * i] = static_cast<char>(sample.advance);
+    bytes[kSampleBytes * i + 1] = static_cast<char>(sample.count);
+    bytes[kSampleBytes * i + 2] = static_cast<char>(sample.height);
+  }
+  to.bytes(bytes);
+}
+
+/// Writes a point in one step.
+void write_point(const PackedPoint& point, ByteWriter& to) {
+  const auto part = [](auto value, unsigned place) {
+    return std::uint64_t{static_cast<std::uint16_t>(value)} << (16U * place);
+  };
+  const auto& p = point.from_sensor;
+  to.integer(part(p[0], 0) | part(p[1], 1) | part(p[2], 2) | part(point.count, 3));
+}
+
 void write_ribbon(const Ribbon& ribbon, ByteWriter& to) {
   for (const std::uint32_t index : {ribbon.pose, ribbon.first_beam, ribbon.last_beam}) {
     to.integer(index);
@@ -51,11 +73,7 @@ void write_ribbon(const Ribbon& ribbon, ByteWriter& to) {
   to.number(samples.height_step_m);
   to.number(samples.variance_m2);
   to.integer(samples.size);
-  for (const PackedSample *s = samples.first, *const end = s + samples.size; s != end; ++s) {
-    to.integer(s->advance);
-    to.integer(s->count);
-    to.integer(s->height);
-  }
+  write_samples(samples, to);
 }
 
 void read_samples(ByteReader& from, std::vector<PackedSample>& samples) {
@@ -93,6 +111,9 @@ Ribbon read_ribbon(ByteReader& from, std::vector<PackedSample>& buffer) {
 }  // namespace
 
 void write_ribbons(const std::vector<Ribbon>& ribbons, ByteWriter& to) {
+  std::size_t samples = 0;
+  for (const Ribbon& ribbon : ribbons) samples += ribbon.samples.size;
+  to.reserve(sizeof(std::uint64_t) + kRibbonBytes * ribbons.size() + kSampleBytes * samples);
   to.integer(std::uint64_t{ribbons.size()});
   for (const Ribbon& ribbon : ribbons) write_ribbon(ribbon, to);
 }
@@ -121,10 +142,7 @@ void write_unassigned(const std::vector<UnassignedPoints>& lines, ByteWriter& to
     to.numbers(numbers_of(line.sensor));
     to.number(line.step_m);
     to.integer(line.size);
-    for (const PackedPoint& point : line) {
-      for (const std::int16_t coordinate : point.from_sensor) to.integer(coordinate);
-      to.integer(point.count);
-    }
+    for (const PackedPoint& point : line) write_point(point, to);
   }
 }
 

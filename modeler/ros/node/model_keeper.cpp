@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "modeler/ros/node/model_keeper.hpp"
 
+#include <algorithm>
 #include <utility>
 
 #include "modeler/program/stopwatch.hpp"
@@ -11,6 +12,14 @@ namespace ribbon_mapper {
 namespace {
 
 constexpr const char* kOlderThanLoaded = "older than the loaded model";
+
+/// Returns the stamp of the newest line of a model, in it or waiting for its neighbours.
+Time newest_stamp(const SavedModel& model) {
+  const std::vector<Time>& stamps = model.observations.trajectory().recorded().stamps();
+  Time newest = stamps.empty() ? Time(0) : stamps.back();
+  for (const auto& line : model.waiting.lines) newest = std::max(newest, middle_of(line.beams));
+  return std::max(newest, model.waiting.average.last_stamp);
+}
 
 }  // namespace
 
@@ -47,10 +56,9 @@ void ModelKeeper::reset() {
 }
 
 void ModelKeeper::load(ModelFile file) {
+  loaded_until_ = newest_stamp(file.model);
   modeler_ = Modeler(modeler_.config(), std::move(file.model));
   additions_ = std::move(file.additions);
-  const auto trajectory = modeler_.trajectory();
-  loaded_until_ = trajectory.empty() ? Time(0) : trajectory.back().stamp;
   forget_history();
 }
 
