@@ -5,6 +5,7 @@
 #include <array>
 #include <cmath>
 #include <string>
+#include <string_view>
 
 namespace ribbon_mapper {
 namespace {
@@ -80,10 +81,11 @@ void read_samples(ByteReader& from, std::vector<PackedSample>& samples) {
   const auto size = from.integer<std::uint32_t>();
   if (size > from.left() / kSampleBytes) from.fail("states more samples than it has");
   samples.resize(size);
-  for (PackedSample& sample : samples) {
-    sample.advance = from.integer<std::uint8_t>();
-    sample.count = from.integer<std::uint8_t>();
-    sample.height = from.integer<std::int8_t>();
+  const std::string_view bytes = from.bytes(kSampleBytes * size);
+  for (std::size_t i = 0; i < size; ++i) {
+    samples[i].advance = static_cast<std::uint8_t>(bytes[kSampleBytes * i]);
+    samples[i].count = static_cast<std::uint8_t>(bytes[kSampleBytes * i + 1]);
+    samples[i].height = static_cast<std::int8_t>(bytes[kSampleBytes * i + 2]);
   }
 }
 
@@ -164,8 +166,12 @@ std::vector<UnassignedPoints> read_unassigned(ByteReader& from, std::size_t line
     }
     buffer.resize(line.size);
     for (PackedPoint& point : buffer) {
-      for (std::int16_t& coordinate : point.from_sensor) coordinate = from.integer<std::int16_t>();
-      point.count = from.integer<std::uint16_t>();
+      auto parts = from.integer<std::uint64_t>();
+      for (std::int16_t& coordinate : point.from_sensor) {
+        coordinate = static_cast<std::int16_t>(parts & 0xFFFFU);
+        parts >>= 16U;
+      }
+      point.count = static_cast<std::uint16_t>(parts);
     }
     line.first = points.add(buffer.data(), buffer.size());
   }
