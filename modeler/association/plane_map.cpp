@@ -201,18 +201,18 @@ void PlaneMap::add_shares(std::uint32_t slot, std::vector<std::int64_t>& ids,
   }
 }
 
-/// Returns the numbers of ribbons that each hypothesis shares with those of `before`. See
-/// take_ids_from().
+/// Returns the numbers of ribbons that each hypothesis shares with former ones, given the former
+/// ids of the ribbons, and the former map if hypotheses may be shared with it. See take_ids_from().
 std::vector<PlaneMap::Share> PlaneMap::shares_with(
-    const PlaneMap& before, const std::vector<std::uint32_t>& index_before) const {
-  const std::vector<std::int64_t> ids_before = before.ids_of_ribbons(hypotheses_);
+    const std::vector<std::int64_t>& ids_before, const PlaneMap* before,
+    const std::vector<std::uint32_t>& index_before) const {
   std::vector<Share> shares;
   shares.reserve(hypotheses_.size());
   std::vector<std::int64_t> ids;  // former ids of the ribbons of one hypothesis
   for (std::uint32_t slot = 0; slot < hypotheses_.size(); ++slot) {
     const std::vector<Member>& members = hypotheses_[slot].members();
-    if (hypotheses_.shares(slot, before.hypotheses_)) {  // the same ribbons
-      if (!members.empty()) shares.push_back({members.size(), before.ids_[slot], slot});
+    if (before && hypotheses_.shares(slot, before->hypotheses_)) {  // the same ribbons
+      if (!members.empty()) shares.push_back({members.size(), before->ids_[slot], slot});
       continue;
     }
     ids.clear();
@@ -244,20 +244,11 @@ std::vector<bool> PlaneMap::name_by(std::vector<Share> shares) {
 
 void PlaneMap::take_ids_from(const PlaneMap& before,
                              const std::vector<std::uint32_t>& index_before) {
-  name_by(shares_with(before, index_before));
+  name_by(shares_with(before.ids_of_ribbons(hypotheses_), &before, index_before));
 }
 
 void PlaneMap::take_ids(const std::vector<std::int64_t>& ids_of_ribbons, std::int64_t next_id) {
-  std::vector<Share> shares;
-  std::vector<std::int64_t> ids;
-  for (std::uint32_t slot = 0; slot < hypotheses_.size(); ++slot) {
-    ids.clear();
-    for (const Member& member : hypotheses_[slot].members()) {
-      ids.push_back(ids_of_ribbons[member.ribbon]);
-    }
-    add_shares(slot, ids, shares);
-  }
-  const std::vector<bool> named = name_by(std::move(shares));
+  const std::vector<bool> named = name_by(shares_with(ids_of_ribbons, nullptr, {}));
   next_id_ = next_id;
   for (std::uint32_t slot = 0; slot < hypotheses_.size(); ++slot) {
     if (is_alive(slot) && !named[slot]) ids_[slot] = next_id_++;

@@ -79,7 +79,8 @@ class PlaneMap {
   std::vector<std::int64_t> ids_of_ribbons(const SharedVector<Hypothesis>& now) const;
   static void add_shares(std::uint32_t slot, std::vector<std::int64_t>& ids,
                          std::vector<Share>& shares);
-  std::vector<Share> shares_with(const PlaneMap& before,
+  std::vector<Share> shares_with(const std::vector<std::int64_t>& ids_before,
+                                 const PlaneMap* before,
                                  const std::vector<std::uint32_t>& index_before) const;
   std::vector<bool> name_by(std::vector<Share> shares);
 
