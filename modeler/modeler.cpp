@@ -26,6 +26,12 @@ TrackedPose acquisition_pose(const ScanLine& line) {
   return {{line.stamp, line.T_map_base}, Eigen::Translation3d(line.odom_origin) * line.T_odom_base};
 }
 
+/// Returns the parts, which take no line that the trajectory has.
+ScanFrontEnd::Parts with_last_stamp(ScanFrontEnd::Parts parts, const Trajectory& trajectory) {
+  if (trajectory.size() > 0) parts.last_stamp = trajectory.recorded().stamps().back();
+  return parts;
+}
+
 }  // namespace
 
 struct Modeler::State {
@@ -35,6 +41,23 @@ struct Modeler::State {
         extraction(config.scan, config.ribbon),
         observations(config.trajectory),
         evaluation(empty_evaluation(config.association.slam)) {}
+
+  State(const ModelerConfig& config_, SavedModel saved)
+      : config(validated(config_)),
+        front_end(config.scan,
+                  with_last_stamp(std::move(saved.waiting), saved.observations.trajectory())),
+        extraction(config.scan, config.ribbon),
+        observations(std::move(saved.observations)),
+        evaluation(empty_evaluation(observations.trajectory().is_corrected()
+                                        ? config.association.corrected
+                                        : config.association.slam)),
+        lines(saved.lines),
+        thinned(saved.thinned),
+        revision(saved.revision),
+        associated_again(saved.associated_again) {
+    complete(observations.trajectory(), evaluation);
+    evaluation.map.take_ids(saved.plane_ids, saved.next_plane_id);
+  }
 
   /// The first ribbons, associated one after the other. Has checkpoints if poses are corrected.
   struct Evaluation {
@@ -129,6 +152,8 @@ struct Modeler::State {
 };
 
 Modeler::Modeler(const ModelerConfig& config) : state_(std::make_unique<State>(config)) {}
+Modeler::Modeler(const ModelerConfig& config, SavedModel saved)
+    : state_(std::make_unique<State>(config, std::move(saved))) {}
 Modeler::~Modeler() = default;
 Modeler::Modeler(Modeler&&) noexcept = default;
 Modeler& Modeler::operator=(Modeler&&) noexcept = default;
@@ -186,6 +211,16 @@ std::vector<StampedPose> Modeler::trajectory() const {
 const std::vector<Ribbon>& Modeler::ribbons() const { return state_->observations.ribbons(); }
 
 const Observations& Modeler::observations() const { return state_->observations; }
+
+ScanFrontEnd::Parts Modeler::waiting() const { return state_->front_end.parts(); }
+
+const ModelerConfig& Modeler::config() const { return state_->config; }
+
+std::vector<std::int64_t> Modeler::plane_ids() const {
+  return state_->evaluation.map.ids_of_ribbons();
+}
+
+std::int64_t Modeler::next_plane_id() const { return state_->evaluation.map.next_id(); }
 
 ModelStatistics Modeler::statistics() const {
   const State& s = *state_;

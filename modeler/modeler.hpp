@@ -3,19 +3,19 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <memory>
 #include <optional>
 #include <vector>
 
 #include "modeler/geometry/pose.hpp"
 #include "modeler/modeler_config.hpp"
+#include "modeler/observations/observations.hpp"
 #include "modeler/ribbon/ribbon.hpp"
 #include "modeler/scan/scan_front_end.hpp"
 #include "modeler/surface/plane.hpp"
 
 namespace ribbon_mapper {
-
-class Observations;
 
 /// Counts of what a modeler has done.
 struct ModelStatistics {
@@ -25,6 +25,19 @@ struct ModelStatistics {
   std::size_t revision = 0;          ///< corrections applied
   std::size_t associated_again = 0;  ///< ribbons that these corrections have associated again
   std::optional<NoReturnRange> no_return;  ///< a range that the driver reports for no return
+};
+
+/// A model at rest: all that decides what becomes of it, without its configuration. Lines that
+/// still wait for their neighbours are no part of it.
+struct SavedModel {
+  Observations observations;              ///< ribbons, unassigned points and trajectory
+  ScanFrontEnd::Parts waiting{};          ///< lines that wait for their neighbours
+  std::vector<std::int64_t> plane_ids{};  ///< Modeler::plane_ids(), one for each ribbon
+  std::int64_t next_plane_id = 0;         ///< of the next new plane; above all `plane_ids`
+  std::size_t lines = 0;                  ///< ModelStatistics::lines
+  std::size_t thinned = 0;                ///< ModelStatistics::thinned
+  std::size_t revision = 0;               ///< ModelStatistics::revision
+  std::size_t associated_again = 0;       ///< ModelStatistics::associated_again
 };
 
 /// Builds planes from the lines of a tilting laser, and keeps them right when the trajectory is
@@ -37,6 +50,13 @@ class Modeler {
   /// Creates an empty model. Throws std::invalid_argument with the key and its range if a value of
   /// the configuration is out of range.
   explicit Modeler(const ModelerConfig& config);
+
+  /// Goes on from a saved model. With the configuration that it was saved with, it takes
+  /// corrections and lines as the model that was never saved, with the same results to the byte.
+  /// Any other configuration holds for all but the ribbons that are there. Lines that are not later
+  /// than the saved ones are out of order; see ScanFrontEnd for a pause before the next one. Takes
+  /// as long as a correction. Throws std::invalid_argument as the other constructor.
+  Modeler(const ModelerConfig& config, SavedModel saved);
   ~Modeler();
   Modeler(Modeler&&) noexcept;
   Modeler& operator=(Modeler&&) noexcept;
@@ -86,6 +106,18 @@ class Modeler {
 
   /// Returns all that the model is a function of. The reference is valid until reset() or a move.
   const Observations& observations() const;
+
+  /// Returns the lines that wait for their neighbours, and what earlier ones have shown.
+  ScanFrontEnd::Parts waiting() const;
+
+  /// Returns the configuration.
+  const ModelerConfig& config() const;
+
+  /// Returns the id of the plane, as built, that each ribbon belongs to. Visits every hypothesis.
+  std::vector<std::int64_t> plane_ids() const;
+
+  /// Returns the id that the next new plane will have.
+  std::int64_t next_plane_id() const;
 
   /// Returns counts of what has been done.
   ModelStatistics statistics() const;

@@ -179,10 +179,10 @@ bool PlaneMap::absorb_neighbours(std::uint32_t slot) {
 }
 
 /// Returns the id of each ribbon's hypothesis, or kNoId. Leaves out hypotheses that `now` shares.
-std::vector<std::int64_t> PlaneMap::ids_of_ribbons(const PlaneMap& now) const {
+std::vector<std::int64_t> PlaneMap::ids_of_ribbons(const SharedVector<Hypothesis>& now) const {
   std::vector<std::int64_t> ids;
   for (std::uint32_t slot = 0; slot < hypotheses_.size(); ++slot) {
-    if (hypotheses_.shares(slot, now.hypotheses_)) continue;
+    if (hypotheses_.shares(slot, now)) continue;
     for (const Member& member : hypotheses_[slot].members()) {
       if (member.ribbon >= ids.size()) ids.resize(member.ribbon + 1, kNoId);
       ids[member.ribbon] = ids_[slot];
@@ -201,18 +201,18 @@ void PlaneMap::add_shares(std::uint32_t slot, std::vector<std::int64_t>& ids,
   }
 }
 
-/// Returns the numbers of ribbons that each hypothesis shares with those of `before`, the largest
-/// first. See take_ids_from().
+/// Returns the numbers of ribbons that each hypothesis shares with former ones, given the former
+/// ids of the ribbons, and the former map if hypotheses may be shared with it. See take_ids_from().
 std::vector<PlaneMap::Share> PlaneMap::shares_with(
-    const PlaneMap& before, const std::vector<std::uint32_t>& index_before) const {
-  const std::vector<std::int64_t> ids_before = before.ids_of_ribbons(*this);
+    const std::vector<std::int64_t>& ids_before, const PlaneMap* before,
+    const std::vector<std::uint32_t>& index_before) const {
   std::vector<Share> shares;
   shares.reserve(hypotheses_.size());
   std::vector<std::int64_t> ids;  // former ids of the ribbons of one hypothesis
   for (std::uint32_t slot = 0; slot < hypotheses_.size(); ++slot) {
     const std::vector<Member>& members = hypotheses_[slot].members();
-    if (hypotheses_.shares(slot, before.hypotheses_)) {  // the same ribbons
-      if (!members.empty()) shares.push_back({members.size(), before.ids_[slot], slot});
+    if (before && hypotheses_.shares(slot, before->hypotheses_)) {  // the same ribbons
+      if (!members.empty()) shares.push_back({members.size(), before->ids_[slot], slot});
       continue;
     }
     ids.clear();
@@ -223,20 +223,35 @@ std::vector<PlaneMap::Share> PlaneMap::shares_with(
     }
     add_shares(slot, ids, shares);
   }
+  return shares;
+}
+
+/// Gives each hypothesis the id with which it shares the most, unless another shares more. Returns
+/// by slot whether it got one.
+std::vector<bool> PlaneMap::name_by(std::vector<Share> shares) {
   std::stable_sort(shares.begin(), shares.end(),
                    [](const Share& a, const Share& b) { return a.ribbons > b.ribbons; });
-  return shares;
+  tsl::robin_set<std::int64_t> taken;
+  taken.reserve(hypotheses_.size());
+  std::vector<bool> named(hypotheses_.size(), false);
+  for (const Share& share : shares) {
+    if (named[share.slot] || !taken.insert(share.id).second) continue;
+    ids_[share.slot] = share.id;
+    named[share.slot] = true;
+  }
+  return named;
 }
 
 void PlaneMap::take_ids_from(const PlaneMap& before,
                              const std::vector<std::uint32_t>& index_before) {
-  tsl::robin_set<std::int64_t> taken;
-  taken.reserve(hypotheses_.size());
-  std::vector<bool> named(hypotheses_.size(), false);
-  for (const Share& share : shares_with(before, index_before)) {
-    if (named[share.slot] || !taken.insert(share.id).second) continue;
-    ids_[share.slot] = share.id;
-    named[share.slot] = true;
+  name_by(shares_with(before.ids_of_ribbons(hypotheses_), &before, index_before));
+}
+
+void PlaneMap::take_ids(const std::vector<std::int64_t>& ids_of_ribbons, std::int64_t next_id) {
+  const std::vector<bool> named = name_by(shares_with(ids_of_ribbons, nullptr, {}));
+  next_id_ = next_id;
+  for (std::uint32_t slot = 0; slot < hypotheses_.size(); ++slot) {
+    if (is_alive(slot) && !named[slot]) ids_[slot] = next_id_++;
   }
 }
 

@@ -39,6 +39,11 @@ class PlaneMap {
   /// again. Each hypothesis takes the id of the one with which it shares the most ribbons, unless
   /// another shares more. `index_before[i]` is the former index of ribbon i; empty if unchanged.
   void take_ids_from(const PlaneMap& before, const std::vector<std::uint32_t>& index_before = {});
+  /// Returns the id of each ribbon's hypothesis, by ribbon.
+  std::vector<std::int64_t> ids_of_ribbons() const { return ids_of_ribbons({}); }
+  /// Replaces the ids by those that the ribbons' hypotheses had, as ids_of_ribbons() has returned
+  /// them, by the rule of take_ids_from(). Other hypotheses are numbered from `next_id` on.
+  void take_ids(const std::vector<std::int64_t>& ids_of_ribbons, std::int64_t next_id);
   /// Returns the id that the next new hypothesis will have.
   std::int64_t next_id() const { return next_id_; }
   /// Returns the gates.
@@ -71,11 +76,13 @@ class PlaneMap {
     std::int64_t id;  // of the former one
     std::uint32_t slot;
   };
-  std::vector<std::int64_t> ids_of_ribbons(const PlaneMap& now) const;
+  std::vector<std::int64_t> ids_of_ribbons(const SharedVector<Hypothesis>& now) const;
   static void add_shares(std::uint32_t slot, std::vector<std::int64_t>& ids,
                          std::vector<Share>& shares);
-  std::vector<Share> shares_with(const PlaneMap& before,
+  std::vector<Share> shares_with(const std::vector<std::int64_t>& ids_before,
+                                 const PlaneMap* before,
                                  const std::vector<std::uint32_t>& index_before) const;
+  std::vector<bool> name_by(std::vector<Share> shares);
 
   /// A hypothesis' plane in single precision, a quarter of a cache line. Rejects most of the
   /// ribbons near a hypothesis that do not belong to it.

@@ -20,6 +20,13 @@ class CompactMoments {
   /// Converts the moments of the same set.
   CompactMoments(const Moments& moments);  // NOLINT(google-explicit-constructor): the same set
 
+  /// Weight, mean (x, y, z [m]) and covariance (xx, xy, xz, yy, yz, zz [m2]), as they are stored.
+  using Numbers = std::array<float, 10>;
+  /// Creates the moments of these numbers, bit by bit.
+  static CompactMoments of(const Numbers& numbers);
+  /// Returns all numbers, bit by bit.
+  Numbers numbers() const;
+
   /// Returns the sum of the weights.
   double weight() const { return weight_; }
   /// Returns the mean of the points [m].

@@ -11,14 +11,14 @@ namespace ribbon_mapper {
 namespace {
 
 /// Returns whether all numbers have the same bits. Unlike ==, tells -0 from 0.
-bool have_same_bits(const std::array<double, 7>& a, const std::array<double, 7>& b) {
+bool have_same_bits(const PackedPoses::Numbers& a, const PackedPoses::Numbers& b) {
   // NOLINTNEXTLINE(bugprone-suspicious-memory-comparison): it is what is meant
   return std::memcmp(a.data(), b.data(), sizeof a) == 0;
 }
 
 }  // namespace
 
-PackedPoses::Packed PackedPoses::packed(const Pose& pose) {
+PackedPoses::Numbers PackedPoses::packed(const Pose& pose) {
   const Eigen::Quaterniond q = Eigen::Quaterniond(pose.linear()).normalized();
   const Eigen::Vector3d t = pose.translation();
   return {q.x(), q.y(), q.z(), q.w(), t.x(), t.y(), t.z()};
@@ -37,7 +37,7 @@ void PackedPoses::append_first(std::size_t count, const PackedPoses& others) {
 }
 
 bool PackedPoses::holds(std::size_t index, const Pose& pose) const {
-  const Packed other = packed(pose);
+  const Numbers other = packed(pose);
   return have_same_bits(poses_[index], other);
 }
 
@@ -51,7 +51,7 @@ std::size_t PackedPoses::common_with(const PackedPoses& others) const {
 void PackedPoses::keep(const std::vector<std::uint32_t>& indices) { keep_indices(indices, poses_); }
 
 Pose PackedPoses::operator[](std::size_t index) const {
-  const Packed& p = poses_[index];
+  const Numbers& p = poses_[index];
   Pose pose = Pose::Identity();
   pose.linear() = Eigen::Quaterniond(p[3], p[0], p[1], p[2]).toRotationMatrix();
   pose.translation() << p[4], p[5], p[6];

@@ -14,12 +14,19 @@ namespace ribbon_mapper {
 /// A vector of poses stored as quaternion and position: 56 bytes per pose instead of 128.
 class PackedPoses {
  public:
+  /// The rotation as a unit quaternion x, y, z, w, then the translation x, y, z [m].
+  using Numbers = std::array<double, 7>;
+
   /// Makes room for `count` poses in total.
   void reserve(std::size_t count) { poses_.reserve(count); }
   /// Makes room for one more pose: the next push_back() cannot fail.
   void reserve_one_more();
   /// Appends a pose.
   void push_back(const Pose& pose);
+  /// Appends a pose as numbers() has returned it, bit by bit.
+  void push_back(const Numbers& numbers) { poses_.push_back(numbers); }
+  /// Returns the numbers of the pose at `index`, bit by bit.
+  const Numbers& numbers(std::size_t index) const { return poses_[index]; }
   /// Replaces the pose at `index`.
   void set(std::size_t index, const Pose& pose) { poses_[index] = packed(pose); }
   /// Appends the first `count` poses of `others`.
@@ -38,13 +45,12 @@ class PackedPoses {
   /// Returns true if there are no poses.
   bool empty() const { return poses_.empty(); }
   /// Returns the memory in use.
-  std::size_t memory_bytes() const { return poses_.capacity() * sizeof(Packed); }
+  std::size_t memory_bytes() const { return poses_.capacity() * sizeof(Numbers); }
 
  private:
-  using Packed = std::array<double, 7>;  // x, y, z, w of the rotation, then the translation
-  static Packed packed(const Pose& pose);
+  static Numbers packed(const Pose& pose);
 
-  std::vector<Packed> poses_;
+  std::vector<Numbers> poses_;
 };
 
 }  // namespace ribbon_mapper

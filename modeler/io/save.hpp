@@ -22,12 +22,14 @@ void check_save_name(const std::string& name);
 void add_model(const std::vector<Plane>& planes, ModelLabel label, const std::string& name,
                double stripe_gap_m, FileSet& files);
 
-/// Writes the four files of a model, as add_model(), into `directory`, which is created if needed.
-/// They are a set of this name, see FileSet. Returns their paths. Throws std::invalid_argument for
-/// a bad name, and std::runtime_error with the file, the reason and a remedy.
+/// Writes the four files of a model, as add_model(), into `directory`, which is created if needed,
+/// and <name>.ribbons with the bytes of a model file, unless there are none. They are a set of this
+/// name, see FileSet. Returns their paths. Throws std::invalid_argument for a bad name, and
+/// std::runtime_error with the file, the reason and a remedy.
 std::vector<std::filesystem::path> save_model(const std::vector<Plane>& planes,
                                               const std::filesystem::path& directory,
                                               const std::string& name, double stripe_gap_m,
-                                              const std::string& frame = "map");
+                                              const std::string& frame = "map",
+                                              const std::string& model_file = "");
 
 }  // namespace ribbon_mapper

@@ -10,6 +10,13 @@
 
 namespace ribbon_mapper {
 
+Observations::Observations(Parts parts)
+    : ribbons_(std::move(parts.ribbons)),
+      unassigned_(std::move(parts.unassigned)),
+      trajectory_(std::move(parts.trajectory)),
+      samples_(std::move(parts.samples)),
+      points_(std::move(parts.points)) {}
+
 std::uint32_t Observations::add_line(const TrackedPose& pose, const LineObservations& line) {
   std::size_t sample_count = 0;
   for (const Ribbon& ribbon : line.ribbons) sample_count += ribbon.samples.size;

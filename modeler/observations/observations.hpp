@@ -24,6 +24,18 @@ class Observations {
   /// Creates observations without lines.
   explicit Observations(const TrajectoryConfig& config) : trajectory_(config) {}
 
+  /// What observations consist of. Ribbons and unassigned points refer to the two stores, and by
+  /// their members `pose` to the trajectory; there is one element of `unassigned` for each pose.
+  struct Parts {
+    Trajectory trajectory;                     ///< acquisition poses
+    std::vector<Ribbon> ribbons;               ///< in the order of their lines and beams
+    std::vector<UnassignedPoints> unassigned;  ///< by pose
+    PackedStore<PackedSample> samples;         ///< of the ribbons
+    PackedStore<PackedPoint> points;           ///< of the unassigned points
+  };
+  /// Creates the observations of these parts.
+  explicit Observations(Parts parts);
+
   /// Adds a line with its acquisition pose, whose stamp must be later than that of the last line.
   /// Copies what `line` refers to, and returns the index of its first ribbon. If memory runs out,
   /// the observations are unchanged.

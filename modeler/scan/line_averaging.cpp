@@ -11,9 +11,6 @@
 namespace ribbon_mapper {
 namespace {
 
-/// Largest number of lines in an average; more occur only where the tilt stands still.
-constexpr std::size_t kMaxLines = 16;
-
 /// Ranges further than this from the mean belong to another surface.
 constexpr double kSameSurfaceSigmas = 6.0;
 
@@ -49,56 +46,59 @@ float range_at(const LaserBeams& beams, double bearing_rad, const ScanConfig& co
 }  // namespace
 
 void LineAverager::add(const LaserBeams& beams, const LinePoses& poses) {
-  if (lines_ == kMaxLines || (lines_ > 0 && !is_similar(beams, beams_))) lines_ = 0;
-  if (lines_++ == 0) {
+  if (sums_.lines == kMaxLines || (sums_.lines > 0 && !is_similar(beams, sums_.beams)))
+    sums_.lines = 0;
+  if (sums_.lines++ == 0) {
     start(beams, poses);
   } else {
     approach(beams, poses);
   }
-  last_stamp_ = middle_of(beams);
+  sums_.last_stamp = middle_of(beams);
   add_ranges(beams);
 }
 
 void LineAverager::start(const LaserBeams& beams, const LinePoses& poses) {
-  beams_ = beams;
-  poses_ = poses;
-  sums_m_.assign(beams.ranges_m.size(), 0.0F);
-  agreeing_.assign(beams.ranges_m.size(), 0);
-  returns_.assign(beams.ranges_m.size(), 0);
+  sums_.beams = beams;
+  sums_.poses = poses;
+  sums_.sums_m.assign(beams.ranges_m.size(), 0.0F);
+  sums_.agreeing.assign(beams.ranges_m.size(), 0);
+  sums_.returns.assign(beams.ranges_m.size(), 0);
 }
 
 /// Moves the mean stamp and the mean poses by the new line's share.
 void LineAverager::approach(const LaserBeams& beams, const LinePoses& poses) {
-  const double share = 1.0 / static_cast<double>(lines_);
-  beams_.stamp += from_seconds(share * to_seconds(beams.stamp - beams_.stamp));
+  const double share = 1.0 / static_cast<double>(sums_.lines);
+  sums_.beams.stamp += from_seconds(share * to_seconds(beams.stamp - sums_.beams.stamp));
   for (Pose LinePoses::*pose :
        {&LinePoses::T_odom_base_first, &LinePoses::T_odom_base_last, &LinePoses::T_base_laser_first,
         &LinePoses::T_base_laser_last, &LinePoses::T_map_base}) {
-    poses_.*pose = interpolate(poses_.*pose, poses.*pose, share);
+    sums_.poses.*pose = interpolate(sums_.poses.*pose, poses.*pose, share);
   }
 }
 
 void LineAverager::add_ranges(const LaserBeams& beams) {
   const double limit_m = kSameSurfaceSigmas * config_.range_sigma_m;
-  const bool same = has_same_beams(beams, beams_);
-  for (std::size_t i = 0; i < sums_m_.size(); ++i) {
+  const bool same = has_same_beams(beams, sums_.beams);
+  for (std::size_t i = 0; i < sums_.sums_m.size(); ++i) {
     const double bearing_rad =
-        beams_.angle_min_rad + static_cast<double>(i) * beams_.angle_increment_rad;
+        sums_.beams.angle_min_rad + static_cast<double>(i) * sums_.beams.angle_increment_rad;
     const float range_m = same ? beams.ranges_m[i] : range_at(beams, bearing_rad, config_);
     if (!is_return(range_m, beams, config_)) continue;
-    ++returns_[i];
-    if (agreeing_[i] > 0 && std::abs(range_m - sums_m_[i] / agreeing_[i]) > limit_m) continue;
-    sums_m_[i] += range_m;
-    ++agreeing_[i];
+    ++sums_.returns[i];
+    if (sums_.agreeing[i] > 0 && std::abs(range_m - sums_.sums_m[i] / sums_.agreeing[i]) > limit_m)
+      continue;
+    sums_.sums_m[i] += range_m;
+    ++sums_.agreeing[i];
   }
 }
 
 const LaserBeams& LineAverager::average_beams() {
-  for (std::size_t i = 0; i < sums_m_.size(); ++i) {
-    beams_.ranges_m[i] = 2U * agreeing_[i] > returns_[i] ? sums_m_[i] / agreeing_[i]
-                                                         : std::numeric_limits<float>::infinity();
+  for (std::size_t i = 0; i < sums_.sums_m.size(); ++i) {
+    sums_.beams.ranges_m[i] = 2U * sums_.agreeing[i] > sums_.returns[i]
+                                  ? sums_.sums_m[i] / sums_.agreeing[i]
+                                  : std::numeric_limits<float>::infinity();
   }
-  return beams_;
+  return sums_.beams;
 }
 
 }  // namespace ribbon_mapper

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <optional>
@@ -31,6 +32,15 @@ class LineBuffer {
 
   /// Returns the line that was pushed last, or null if there is none.
   const ScanLine* newest_line() const { return count_ > 0 ? &lines_[newest_] : nullptr; }
+
+  /// Returns the number of lines.
+  std::size_t size() const { return count_; }
+  /// Returns a line by the order in which they were pushed.
+  const ScanLine& line(std::size_t index) const { return lines_[slot(count_ - 1 - index)]; }
+  /// Returns the number of the first lines that will not be a middle line any more.
+  std::size_t done() const { return done_; }
+  /// Sets done(), to at most size().
+  void set_done(std::size_t lines) { done_ = std::min(lines, count_); }
 
   /// Returns the next middle line with its neighbours, or nothing if it has to wait for later
   /// lines. The lines stay valid until the next push().

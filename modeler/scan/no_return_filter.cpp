@@ -21,10 +21,10 @@ constexpr double kFrequent = 0.01;  // share of all beams so far
 }  // namespace
 
 const LaserBeams& NoReturnFilter::filter(const LaserBeams& beams) {
-  beams_ += beams.ranges_m.size();
+  evidence_.beams += beams.ranges_m.size();
   if (const auto range_m = repeated_range(beams)) weigh(*range_m, beams);
   const LaserBeams* result = &beams;
-  for (Candidate& candidate : candidates_) {
+  for (Candidate& candidate : evidence_.candidates) {
     if (!candidate.is_no_return) continue;
     if (result == &beams) filtered_ = beams;
     result = &filtered_;
@@ -71,20 +71,21 @@ void NoReturnFilter::weigh(float range_m, const LaserBeams& beams) {
   const bool is_repeated = it.lines >= kMinLines && it.equal >= kMinBeams;
   const auto equal = static_cast<double>(it.equal);
   const bool is_beyond_others = static_cast<double>(it.beyond) < kFew * equal;
-  const bool is_frequent = equal > kFrequent * static_cast<double>(beams_);
+  const bool is_frequent = equal > kFrequent * static_cast<double>(evidence_.beams);
   it.is_no_return = 2 * it.near < it.equal &&
                     (is_at_the_end || (is_repeated && (is_beyond_others || is_frequent)));
 }
 
 NoReturnFilter::Candidate& NoReturnFilter::candidate(float range_m) {
-  for (Candidate& known : candidates_) {
+  for (Candidate& known : evidence_.candidates) {
     if (known.range_m == range_m) return known;
   }
-  if (candidates_.size() < kMaxCandidates) {
-    return candidates_.emplace_back(Candidate{range_m, 0, 0, 0, 0, 0, false});
+  if (evidence_.candidates.size() < kMaxCandidates) {
+    return evidence_.candidates.emplace_back(Candidate{range_m, 0, 0, 0, 0, 0, false});
   }
   Candidate& least = *std::min_element(
-      candidates_.begin(), candidates_.end(), [](const Candidate& a, const Candidate& b) {
+      evidence_.candidates.begin(), evidence_.candidates.end(),
+      [](const Candidate& a, const Candidate& b) {
         return a.is_no_return != b.is_no_return ? b.is_no_return : a.equal < b.equal;
       });
   return least = {range_m, 0, 0, 0, 0, 0, false};
@@ -100,9 +101,10 @@ void NoReturnFilter::remove(Candidate& no_return, const LaserBeams& beams) {
 
 std::optional<NoReturnRange> NoReturnFilter::found() const {
   std::optional<NoReturnRange> most;
-  for (const Candidate& candidate : candidates_) {
+  for (const Candidate& candidate : evidence_.candidates) {
     if (!candidate.is_no_return || (most && candidate.removed <= most->beams)) continue;
-    const double share = static_cast<double>(candidate.removed) / static_cast<double>(beams_);
+    const double share =
+        static_cast<double>(candidate.removed) / static_cast<double>(evidence_.beams);
     most = NoReturnRange{candidate.range_m, candidate.removed, share};
   }
   return most;

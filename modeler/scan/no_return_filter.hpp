@@ -4,6 +4,7 @@
 
 #include <cstddef>
 #include <optional>
+#include <utility>
 #include <vector>
 
 #include "modeler/scan/laser_beams.hpp"
@@ -30,34 +31,46 @@ struct NoReturnRange {
 /// line suffices.
 class NoReturnFilter {
  public:
+  /// What is known about a range that neighbouring beams of a line had to the bit.
+  struct Candidate {
+    float range_m = 0.0F;       ///< the range
+    std::size_t lines = 0;      ///< lines with such neighbours
+    std::size_t equal = 0;      ///< beams with this range
+    std::size_t near = 0;       ///< beams within 10 cm of it, but not equal
+    std::size_t beyond = 0;     ///< returns further away
+    std::size_t removed = 0;    ///< beams from which it was removed
+    bool is_no_return = false;  ///< what was decided
+  };
+  /// What lines have shown so far.
+  struct Evidence {
+    std::vector<Candidate> candidates;  ///< few; the least frequent one makes room for another
+    std::size_t beams = 0;              ///< beams seen
+  };
+
   /// Creates a filter that has seen no line.
-  explicit NoReturnFilter(const ScanConfig& config) : config_(config) {}
+  explicit NoReturnFilter(const ScanConfig& config) : NoReturnFilter(config, Evidence()) {}
+  /// Goes on from evidence().
+  NoReturnFilter(const ScanConfig& config, Evidence evidence)
+      : config_(config), evidence_(std::move(evidence)) {}
 
   /// Takes note of a line and returns it: `beams` itself, or a copy in which ranges that stand for
   /// no return are infinite. Valid until the next call.
   const LaserBeams& filter(const LaserBeams& beams);
 
+  /// Returns what lines have shown so far.
+  const Evidence& evidence() const { return evidence_; }
+
   /// Returns the most frequent range that stands for no return; nothing if none was found.
   std::optional<NoReturnRange> found() const;
 
  private:
-  /// What is known about a range that neighbouring beams of a line had to the bit.
-  struct Candidate {
-    float range_m;
-    std::size_t lines, equal, near;  // beams: `equal`; `near` are within 10 cm but not equal
-    std::size_t beyond;              // returns further away
-    std::size_t removed;             // beams
-    bool is_no_return;
-  };
-
   std::optional<float> repeated_range(const LaserBeams& beams) const;
   void weigh(float range_m, const LaserBeams& beams);
   Candidate& candidate(float range_m);
   void remove(Candidate& no_return, const LaserBeams& beams);
 
   ScanConfig config_;
-  std::vector<Candidate> candidates_;  // few; the least frequent one makes room for another
-  std::size_t beams_ = 0;
+  Evidence evidence_;
   LaserBeams filtered_;
 };
 

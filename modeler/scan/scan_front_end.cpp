@@ -3,6 +3,7 @@
 #include "modeler/scan/scan_front_end.hpp"
 
 #include <cmath>
+#include <utility>
 
 #include "modeler/scan/scan_line.hpp"
 
@@ -14,6 +15,9 @@ namespace {
 constexpr double kMaxDistance_m = 100.0;
 /// Origins are multiples of this power of two [m], so that subtracting them rounds nothing.
 constexpr double kOriginStep_m = 64.0;
+
+/// A session that goes on later than this after the last one has not the same odometry for sure.
+constexpr Time kLongestPause = std::chrono::seconds(1);
 
 /// Returns the poses with those in odom relative to `origin`.
 LinePoses relative_to(const Eigen::Vector3d& origin, LinePoses poses) {
@@ -44,11 +48,42 @@ const char* to_string(LineResult result) {
   return "unknown";
 }
 
-ScanFrontEnd::ScanFrontEnd(const ScanConfig& config)
+ScanFrontEnd::ScanFrontEnd(const ScanConfig& config, Parts parts)
     : config_(config),
-      no_returns_(config),
+      last_stamp_(parts.last_stamp),
+      is_resumed_(false),
+      no_returns_(config, std::move(parts.no_returns)),
       buffer_(config.base_line_sigmas * config.range_sigma_m),
-      averager_(config) {}
+      averager_(config, std::move(parts.average)),
+      odom_origin_(parts.odom_origin) {
+  std::size_t done = 0;
+  for (std::size_t i = 0; i < parts.lines.size(); ++i) {
+    const Parts::Line& source = parts.lines[i];
+    ScanLine& line = buffer_.incoming();
+    line.odom_origin = odom_origin_;
+    place_beams(source.beams, source.poses, config_, line);
+    line.averaged_lines = source.averaged_lines;
+    if (!line.has_returns()) continue;  // the limits of ranges have changed
+    buffer_.push();
+    if (i < parts.done) ++done;
+  }
+  buffer_.set_done(done);
+  is_resumed_ = buffer_.newest_line() != nullptr;
+}
+
+ScanFrontEnd::Parts ScanFrontEnd::parts() const {
+  Parts parts;
+  parts.last_stamp = last_stamp_;
+  parts.odom_origin = odom_origin_;
+  for (std::size_t i = 0; i < buffer_.size(); ++i) {
+    const ScanLine& line = buffer_.line(i);
+    parts.lines.push_back({line.beams, line.poses, line.averaged_lines});
+  }
+  parts.done = buffer_.done();
+  if (averager_.lines() > 0) parts.average = averager_.sums();
+  parts.no_returns = no_returns_.evidence();
+  return parts;
+}
 
 LineResult ScanFrontEnd::add(const LaserBeams& raw_beams, const LinePoses& poses_in_odom) {
   if (find_defect(raw_beams, poses_in_odom)) return LineResult::malformed;
@@ -58,7 +93,8 @@ LineResult ScanFrontEnd::add(const LaserBeams& raw_beams, const LinePoses& poses
   const LinePoses poses = relative_to(line.odom_origin, poses_in_odom);
   place_beams(beams, poses, config_, line);
   if (!line.has_returns()) return LineResult::no_returns;
-  if (buffer_.newest_line() && !is_in_order(line)) return LineResult::out_of_order;
+  if (!is_in_order(line)) return LineResult::out_of_order;
+  forget_after_pause(line.stamp);
   if (line.odom_origin != odom_origin_) {
     buffer_.clear();
     odom_origin_ = line.odom_origin;
@@ -77,9 +113,21 @@ Eigen::Vector3d ScanFrontEnd::odom_origin_for(const LinePoses& poses) const {
   return kOriginStep_m * (base / kOriginStep_m).array().round();
 }
 
+/// Returns the stamp of the newest line that was kept. Needs one.
+Time ScanFrontEnd::newest_stamp() const {
+  return averager_.lines() > 0 ? averager_.last_stamp() : buffer_.newest_line()->stamp;
+}
+
 bool ScanFrontEnd::is_in_order(const ScanLine& line) const {
-  const Time last = averager_.lines() > 0 ? averager_.last_stamp() : buffer_.newest_line()->stamp;
-  return line.stamp > last;
+  if (buffer_.newest_line()) return line.stamp > newest_stamp();
+  return !last_stamp_ || line.stamp > *last_stamp_;
+}
+
+/// Forgets lines of an earlier session if it did not end just before the first one of this session.
+void ScanFrontEnd::forget_after_pause(Time stamp) {
+  if (!std::exchange(is_resumed_, false) || stamp - newest_stamp() <= kLongestPause) return;
+  averager_.clear();
+  buffer_.clear();
 }
 
 /// Returns true if the line's beams lie beyond the noise from those of the newest line.

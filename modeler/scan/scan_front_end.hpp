@@ -2,7 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <cstddef>
 #include <optional>
+#include <vector>
 
 #include "modeler/scan/laser_beams.hpp"
 #include "modeler/scan/line_averaging.hpp"
@@ -34,8 +36,31 @@ const char* to_string(LineResult result);
 /// leaves its surroundings of 100 m. Lines before and after such a move are not paired.
 class ScanFrontEnd {
  public:
+  /// The lines that wait for their neighbours, and what earlier ones have shown.
+  struct Parts {
+    /// A line in the buffer.
+    struct Line {
+      LaserBeams beams;                ///< what it was placed from
+      LinePoses poses;                 ///< relative to the origin
+      std::size_t averaged_lines = 1;  ///< number of lines that it is the mean of
+    };
+    std::optional<Time> last_stamp;  ///< lines that are not later are out of order
+    Eigen::Vector3d odom_origin = Eigen::Vector3d::Zero();  ///< of the lines, in odom [m]
+    std::vector<Line> lines;                                ///< in their order
+    std::size_t done = 0;                 ///< the first of them: they need no later lines
+    LineAverager::Sums average;           ///< of the lines since the last one
+    NoReturnFilter::Evidence no_returns;  ///< of all lines so far
+  };
+
   /// Creates a front end without lines. `config` must be valid.
-  explicit ScanFrontEnd(const ScanConfig& config);
+  explicit ScanFrontEnd(const ScanConfig& config) : ScanFrontEnd(config, Parts()) {}
+
+  /// Goes on from the parts of a front end. Where the next line comes more than a second later, the
+  /// waiting lines are forgotten: odometry may have begun anew since.
+  ScanFrontEnd(const ScanConfig& config, Parts parts);
+
+  /// Returns all that decides what becomes of the next lines.
+  Parts parts() const;
 
   /// Adds a line and returns what became of it: `waiting` if it entered the buffer. Only such a
   /// line changes next_three_lines().
@@ -50,11 +75,15 @@ class ScanFrontEnd {
 
  private:
   Eigen::Vector3d odom_origin_for(const LinePoses& poses) const;
+  Time newest_stamp() const;
   bool is_in_order(const ScanLine& line) const;
+  void forget_after_pause(Time stamp);
   bool has_moved(const ScanLine& line) const;
   bool replace_by_average(ScanLine& line, const LaserBeams& beams, const LinePoses& poses);
 
   ScanConfig config_;
+  std::optional<Time> last_stamp_;  // of lines before the first one in the buffer
+  bool is_resumed_;                 // the lines are of parts, and none has been added since
   NoReturnFilter no_returns_;
   LineBuffer buffer_;
   LineAverager averager_;  // the lines since the newest one in the buffer

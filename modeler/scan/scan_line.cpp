@@ -263,6 +263,8 @@ void place_beams(const LaserBeams& beams, const LinePoses& poses, const ScanConf
   line.first_angle_rad = beams.angle_min_rad;
   line.angle_increment_rad = beams.angle_increment_rad;
   line.averaged_lines = 1;
+  line.beams = beams;
+  line.poses = poses;
   resize(line, beams.ranges_m.size());
   take_returns(beams, config, line);
   place_returns(beams, motion, config, line);

@@ -36,6 +36,8 @@ struct ScanLine {
   std::vector<std::uint32_t> first_of_segment;
   std::vector<std::uint32_t> end_of_segment;  ///< one past the last beam of each beam's segment
   std::vector<Moments> before;  ///< before[i]: moments of the returns among beams 0 .. i-1
+  LaserBeams beams;             ///< what the line was placed from
+  LinePoses poses;              ///< where it was placed, relative to `odom_origin`
 
   /// Returns the number of beams.
   std::size_t size() const { return ranges_m.size(); }

@@ -58,48 +58,48 @@ Correction::Correction(const TrackedPoses& recorded, const std::vector<StampedPo
                                   [&](const StampedPose& pose) { return pose.stamp >= first; });
   const auto end = std::find_if(begin, corrected.end(),
                                 [&](const StampedPose& pose) { return pose.stamp > last; });
-  poses_.reserve(static_cast<std::size_t>(end - begin));
+  parts_.poses.reserve(static_cast<std::size_t>(end - begin));
   auto pose = begin;
   if (before) {
-    while (pose != end && before->poses_.holds(shared_, *pose)) ++pose, ++shared_;
-    poses_.append_first(shared_, before->poses_);
+    while (pose != end && before->parts_.poses.holds(shared_, *pose)) ++pose, ++shared_;
+    parts_.poses.append_first(shared_, before->parts_.poses);
   }
   for (; pose != end; ++pose) {
-    poses_.push_back({*pose, recorded_at(recorded, pose->stamp).T_odom_base});
+    parts_.poses.push_back({*pose, recorded_at(recorded, pose->stamp).T_odom_base});
   }
-  if (poses_.empty()) {
+  if (parts_.poses.empty()) {
     throw std::invalid_argument(
         "no pose of the corrected trajectory lies within the model's time (" +
         std::to_string(to_seconds(first)) + " to " + std::to_string(to_seconds(last)) +
         " s): is it of another run?");
   }
   const auto change_at = [&](std::size_t index) {
-    const StampedPose now = poses_[index].in_map;
+    const StampedPose now = parts_.poses[index].in_map;
     const Pose T_map_base = recorded_at(recorded, now.stamp).in_map.T_map_base;
     return now.T_map_base * T_map_base.inverse(Eigen::Isometry);
   };
-  first_change_ = change_at(0), last_change_ = change_at(poses_.size() - 1);
+  parts_.first_change = change_at(0), parts_.last_change = change_at(parts_.poses.size() - 1);
 }
 
 Pose Correction::corrected(const TrackedPose& recorded) const {
   const Time stamp = recorded.in_map.stamp;
-  const std::size_t after = count_until(poses_, stamp), from = after - 1;
-  if (after == 0) return first_change_ * recorded.in_map.T_map_base;
-  if (poses_.stamps()[from] == stamp) return poses_.T_map_base()[from];
-  if (after == poses_.size()) return last_change_ * recorded.in_map.T_map_base;
+  const std::size_t after = count_until(parts_.poses, stamp), from = after - 1;
+  if (after == 0) return parts_.first_change * recorded.in_map.T_map_base;
+  if (parts_.poses.stamps()[from] == stamp) return parts_.poses.T_map_base()[from];
+  if (after == parts_.poses.size()) return parts_.last_change * recorded.in_map.T_map_base;
   // Interpolated at the robot's position: at the map's origin, rotations would act over a lever
   // arm.
   return interpolate(T_corrected_odom(from) * recorded.T_odom_base,
                      T_corrected_odom(after) * recorded.T_odom_base,
-                     fraction_of(stamp, poses_.stamps()[from], poses_.stamps()[after]));
+                     fraction_of(stamp, parts_.poses.stamps()[from], parts_.poses.stamps()[after]));
 }
 
 std::size_t Correction::unchanged(const TrackedPoses& recorded) const {
-  return shared_ == 0 ? 0 : count_until(recorded, poses_.stamps()[shared_ - 1]);
+  return shared_ == 0 ? 0 : count_until(recorded, parts_.poses.stamps()[shared_ - 1]);
 }
 
 Pose Correction::T_corrected_odom(std::size_t index) const {
-  const TrackedPose pose = poses_[index];
+  const TrackedPose pose = parts_.poses[index];
   return pose.in_map.T_map_base * pose.T_odom_base.inverse(Eigen::Isometry);
 }
 

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstddef>
+#include <utility>
 #include <vector>
 
 #include "modeler/geometry/pose.hpp"
@@ -28,6 +29,18 @@ class Correction {
   Correction(const TrackedPoses& recorded, const std::vector<StampedPose>& corrected,
              const Correction* before = nullptr);
 
+  /// The poses that a correction moves between, and how it moves all others.
+  struct Parts {
+    TrackedPoses poses;  ///< see poses(); not empty
+    /// From recorded poses in map to corrected ones: before the first and after the last of
+    /// `poses`.
+    Pose first_change = Pose::Identity(), last_change = Pose::Identity();
+  };
+  /// Creates the correction that parts() are from. It is the first one: unchanged() is 0.
+  explicit Correction(Parts parts) : parts_(std::move(parts)) {}
+  /// Returns all that decides what corrected() returns.
+  const Parts& parts() const { return parts_; }
+
   /// Returns where a recorded pose was, according to the corrected trajectory.
   Pose corrected(const TrackedPose& recorded) const;
 
@@ -35,14 +48,13 @@ class Correction {
   std::size_t unchanged(const TrackedPoses& recorded) const;
 
   /// Returns the corrected poses within the time of the recorded ones, with their odometry.
-  const TrackedPoses& poses() const { return poses_; }
+  const TrackedPoses& poses() const { return parts_.poses; }
 
  private:
   Pose T_corrected_odom(std::size_t index) const;
 
   std::size_t shared_ = 0;  // number of the first poses that the correction before had, too
-  TrackedPoses poses_;
-  Pose first_change_, last_change_;  // from recorded poses in map to corrected ones
+  Parts parts_;
 };
 
 }  // namespace ribbon_mapper

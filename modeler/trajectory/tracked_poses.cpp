@@ -25,6 +25,14 @@ void TrackedPoses::push_back(const TrackedPose& pose) {
   T_odom_base_.push_back(pose.T_odom_base);
 }
 
+void TrackedPoses::push_back(Time stamp, const PackedPoses::Numbers& T_map_base,
+                             const PackedPoses::Numbers& T_odom_base) {
+  reserve_one_more();
+  stamps_.push_back(stamp);
+  T_map_base_.push_back(T_map_base);
+  T_odom_base_.push_back(T_odom_base);
+}
+
 void TrackedPoses::append_first(std::size_t count, const TrackedPoses& others) {
   const auto first = others.stamps_.begin();
   stamps_.insert(stamps_.end(), first, first + static_cast<std::ptrdiff_t>(count));

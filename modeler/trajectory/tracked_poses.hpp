@@ -26,6 +26,9 @@ class TrackedPoses {
   void reserve_one_more();
   /// Appends a pose. Its stamp must be later than that of the last one.
   void push_back(const TrackedPose& pose);
+  /// Appends a pose as it is stored, bit by bit. Its stamp must be later than that of the last one.
+  void push_back(Time stamp, const PackedPoses::Numbers& T_map_base,
+                 const PackedPoses::Numbers& T_odom_base);
   /// Appends the first `count` poses of `others`, which must be later than the last one.
   void append_first(std::size_t count, const TrackedPoses& others);
   /// Returns true if there is a pose at `index` and it has this stamp and pose in map, bit by bit.

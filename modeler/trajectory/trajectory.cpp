@@ -7,6 +7,16 @@
 
 namespace ribbon_mapper {
 
+Trajectory::Trajectory(const TrajectoryConfig& config, Parts parts)
+    : config_(config),
+      recorded_(std::make_shared<TrackedPoses>(std::move(parts.recorded))),
+      T_map_base_(std::move(parts.now)),
+      is_as_corrected_(parts.is_as_corrected) {
+  if (parts.correction) {
+    correction_ = std::make_shared<const Correction>(std::move(*parts.correction));
+  }
+}
+
 /// Returns the recorded poses to be changed. Copies them if another trajectory has them, too.
 TrackedPoses& Trajectory::own_recorded() {
   if (recorded_.use_count() > 1) recorded_ = std::make_shared<TrackedPoses>(*recorded_);
@@ -47,10 +57,6 @@ void Trajectory::keep(const std::vector<std::uint32_t>& indices) {
   own_recorded().keep(indices);
   if (!T_map_base_.empty()) T_map_base_.keep(indices);
   is_as_corrected_ = false;
-}
-
-const PackedPoses& Trajectory::poses_now() const {
-  return T_map_base_.empty() ? recorded_->T_map_base() : T_map_base_;
 }
 
 Pose Trajectory::T_map_base(std::size_t index) const { return poses_now()[index]; }

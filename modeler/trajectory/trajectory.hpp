@@ -5,6 +5,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <vector>
 
 #include "modeler/geometry/packed_poses.hpp"
@@ -22,6 +23,16 @@ class Trajectory {
   /// Creates an empty trajectory.
   explicit Trajectory(const TrajectoryConfig& config)
       : config_(config), recorded_(std::make_shared<TrackedPoses>()) {}
+
+  /// What a trajectory is made of.
+  struct Parts {
+    TrackedPoses recorded;                 ///< see recorded()
+    PackedPoses now;                       ///< one for each recorded pose; empty: not corrected
+    std::optional<Correction> correction;  ///< the last one, if `now` is not empty
+    bool is_as_corrected = false;          ///< see Trajectory::is_as_corrected()
+  };
+  /// Creates the trajectory of these parts.
+  Trajectory(const TrajectoryConfig& config, Parts parts);
 
   /// Makes room for one more pose: the next add() cannot fail.
   void reserve_one_more();
@@ -56,18 +67,25 @@ class Trajectory {
   /// Returns the corrected poses within the time of the trajectory, with their odometry. Needs
   /// is_corrected().
   const TrackedPoses& corrected() const { return correction_->poses(); }
+  /// Returns the poses as they are now, which before the first correction are the recorded ones.
+  const PackedPoses& poses_now() const {
+    return T_map_base_.empty() ? recorded_->T_map_base() : T_map_base_;
+  }
+  /// Returns the last correction, or null.
+  const Correction* correction() const { return correction_.get(); }
+  /// Returns true if all poses are what the last correction says of the recorded ones.
+  bool is_as_corrected() const { return is_as_corrected_; }
   /// Returns the memory in use.
   std::size_t memory_bytes() const;
 
  private:
-  const PackedPoses& poses_now() const;
   TrackedPoses& own_recorded();
 
   TrajectoryConfig config_;
   std::shared_ptr<TrackedPoses> recorded_;
   PackedPoses T_map_base_;  // empty before the first correction
   std::shared_ptr<const Correction> correction_;
-  bool is_as_corrected_ = false;  // all poses are what the correction says of the recorded ones
+  bool is_as_corrected_ = false;
 };
 
 }  // namespace ribbon_mapper

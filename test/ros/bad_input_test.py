@@ -231,7 +231,7 @@ class BadInput(unittest.TestCase):
         answer = self.save('wall')
         self.assertTrue(answer.success, answer.message)
         files = answer.message.split(' written to ')[1].split()
-        self.assertEqual(len(files), 4)
+        self.assertEqual(len(files), 5)
         self.assertTrue(all(os.path.getsize(file) > 0 for file in files), answer.message)
 
 

@@ -1,6 +1,7 @@
 # SPDX-FileCopyrightText: 2026 ribbon_mapper authors
 # SPDX-License-Identifier: BSD-3-Clause
 """Nodes that a test starts itself, to read what they print."""
+import signal
 import subprocess
 import tempfile
 
@@ -20,6 +21,16 @@ class Program:
         self._output = tempfile.TemporaryFile('w+')
         self._process = subprocess.Popen([path_of(program), '__name:=' + name] + list(arguments),
                                          stdout=self._output, stderr=subprocess.STDOUT)
+
+    def kill(self):
+        """Kills the node: it can do nothing more."""
+        self._process.kill()
+        self._process.wait(PATIENCE)
+
+    def interrupt(self):
+        """Ends the node as roslaunch does, and waits until it has."""
+        self._process.send_signal(signal.SIGINT)
+        self._process.wait(PATIENCE)
 
     def stop(self):
         """Ends the node and returns what it has printed."""

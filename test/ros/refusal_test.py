@@ -61,6 +61,14 @@ class Refusal(unittest.TestCase):
         self.refuse('modeler', [PR2, '_base_frame:=' + 'x' * 300], '/base_frame', 'is too long')
         self.refuse('modeler', [PR2, '_scan/no_such:=1'], '/scan', 'is unknown')
 
+    def test_models_that_cannot_be_loaded(self):
+        self.refuse('modeler', [PR2, '_load:=/no/such.ribbons'], 'cannot load /no/such.ribbons',
+                    'cannot be read')
+        self.refuse('modeler', [PR2, '_load:=..'], 'a name, not a path')
+        self.refuse('modeler', [PR2, '_load:=/dev/null'], 'no model file of ribbon_mapper')
+        self.refuse('modeler', [PR2, '_autosave_period_s:=-1'], '/autosave_period_s', '0 to 86400')
+        self.refuse('modeler', [PR2, '_resume:=7'], '/resume', 'must be true or false')
+
     def test_every_node_refuses_unknown_parameters(self):
         output = '_output:=' + os.path.join(tempfile.gettempdir(), 'refused.yaml')
         for node, arguments in (('tf_filter', []), ('slam_adapter', ['_source:=tf']),

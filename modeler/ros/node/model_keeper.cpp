@@ -2,17 +2,35 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "modeler/ros/node/model_keeper.hpp"
 
+#include <algorithm>
+#include <utility>
+
 #include "modeler/program/stopwatch.hpp"
 #include "modeler/scan/scan_line.hpp"
 
 namespace ribbon_mapper {
+namespace {
+
+constexpr const char* kOlderThanLoaded = "older than the loaded model";
+
+/// Returns the stamp of the newest line of a model, in it or waiting for its neighbours.
+Time newest_stamp(const SavedModel& model) {
+  const std::vector<Time>& stamps = model.observations.trajectory().recorded().stamps();
+  Time newest = stamps.empty() ? Time(0) : stamps.back();
+  for (const auto& line : model.waiting.lines) newest = std::max(newest, middle_of(line.beams));
+  return std::max(newest, model.waiting.average.last_stamp);
+}
+
+}  // namespace
 
 void ModelKeeper::add(const ReadyLine& line) {
   LineResult result = LineResult::modelled;
   const double seconds =
       wall_seconds_of([&] { result = modeler_.add_scan_line(line.beams, line.poses); });
   if (result == LineResult::malformed || result == LineResult::out_of_order) {
-    log_.dropped(to_string(result), find_defect(line.beams, line.poses).value_or(""));
+    const bool is_old = result == LineResult::out_of_order && line.beams.stamp <= loaded_until_;
+    log_.dropped(is_old ? kOlderThanLoaded : to_string(result),
+                 find_defect(line.beams, line.poses).value_or(""));
     return;
   }
   log_.handled(to_string(result), seconds);
@@ -26,16 +44,35 @@ void ModelKeeper::correct(const std::vector<StampedPose>& trajectory) {
   Before before{modeler_.planes_as_built(), modeler_.planes(), modeler_.trajectory()};
   correction_ms_ = 1e3 * wall_seconds_of([&] { modeler_.correct(trajectory); });
   before_ = std::move(before);
+  has_before_ = true;
   ++version_;
 }
 
 void ModelKeeper::reset() {
   modeler_.reset();
+  additions_.clear();
+  loaded_until_ = Time(0);
+  forget_history();
+}
+
+void ModelKeeper::load(ModelFile file) {
+  loaded_until_ = newest_stamp(file.model);
+  modeler_ = Modeler(modeler_.config(), std::move(file.model));
+  additions_ = std::move(file.additions);
+  forget_history();
+}
+
+void ModelKeeper::forget_history() {
   log_ = {};
   before_ = {};
+  has_before_ = false;
   correction_ms_ = data_s_ = 0.0;
   last_stamp_ = Time(0);
   ++version_;
+}
+
+std::string ModelKeeper::file_bytes(const std::string& map_frame) const {
+  return to_model_file(modeler_, map_frame, additions_);
 }
 
 const std::vector<Plane>& ModelKeeper::planes() {

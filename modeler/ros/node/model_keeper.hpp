@@ -4,8 +4,10 @@
 
 #include <ros/time.h>
 
+#include <string>
 #include <vector>
 
+#include "modeler/model_file/model_file.hpp"
 #include "modeler/modeler.hpp"
 #include "modeler/ros/intake/line_intake.hpp"
 #include "modeler/ros/intake/line_log.hpp"
@@ -27,9 +29,13 @@ class ModelKeeper {
   void correct(const std::vector<StampedPose>& trajectory);
   /// Empties the model, the log and the state before the correction.
   void reset();
+  /// Goes on from a model file; log and state before the correction are empty.
+  void load(ModelFile file);
 
   /// Returns the model.
   const Modeler& modeler() const { return modeler_; }
+  /// Returns the bytes of a model file, see to_model_file().
+  std::string file_bytes(const std::string& map_frame) const;
   /// Returns SurfaceConfig::stripe_gap_m, for meshes and markers.
   double stripe_gap_m() const { return stripe_gap_m_; }
   /// Returns the statistics of the lines.
@@ -49,6 +55,9 @@ class ModelKeeper {
   };
   /// Returns the state just before the last correction; empty if there was none.
   const Before& before() const { return before_; }
+  /// Returns true if there was a correction since the model is here: it was not there before a
+  /// load.
+  bool has_before() const { return has_before_; }
   /// Returns how long the last correction took; 0 if there was none.
   double correction_ms() const { return correction_ms_; }
   /// Returns the seconds of data that the model takes per second of computing.
@@ -60,7 +69,12 @@ class ModelKeeper {
   LineLog log_;
   std::size_t version_ = 1, planes_version_ = 0;
   std::vector<Plane> planes_;  ///< of planes_version_
+  void forget_history();
+
   Before before_;
+  bool has_before_ = false;
+  std::vector<Section> additions_;  ///< of the file that was loaded
+  Time loaded_until_{0};            ///< stamp of its newest line
   double correction_ms_ = 0.0;
   Time last_stamp_{0};
   double data_s_ = 0.0;

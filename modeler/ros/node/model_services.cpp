@@ -3,9 +3,13 @@
 #include "modeler/ros/node/model_services.hpp"
 
 #include <exception>
+#include <stdexcept>
+#include <utility>
 
 #include "modeler/io/save.hpp"
+#include "modeler/model_file/autosave.hpp"
 #include "modeler/ros/messages/plane_messages.hpp"
+#include "modeler/storage/atomic_file.hpp"
 
 namespace ribbon_mapper {
 namespace {
@@ -17,10 +21,10 @@ std::vector<Plane> planes_asked_for(const GetModel::Request& request, ModelKeepe
 }
 
 /// Returns what is wrong with the request; empty if nothing is.
-std::string find_defect(const GetModel::Request& request, std::size_t revision) {
+std::string find_defect(const GetModel::Request& request, bool has_before) {
   if (request.which > GetModel::Request::BEFORE_CORRECTION)
     return "which must be CURRENT (0) or BEFORE_CORRECTION (1)";
-  if (request.which == GetModel::Request::BEFORE_CORRECTION && revision == 0)
+  if (request.which == GetModel::Request::BEFORE_CORRECTION && !has_before)
     return "there was no correction yet";
   return "";
 }
@@ -31,7 +35,7 @@ GetModel::Response model_response(const GetModel::Request& request, ModelKeeper&
                                   const std::string& map_frame) {
   const ModelStatistics statistics = keeper.modeler().statistics();
   GetModel::Response response;
-  response.message = find_defect(request, statistics.revision);
+  response.message = find_defect(request, keeper.has_before());
   response.success = response.message.empty();
   if (!response.success) return response;
   std_msgs::Header header;
@@ -53,16 +57,50 @@ Save::Response save_response(const std::string& name, ModelKeeper& keeper,
   Save::Response response;
   try {
     check_save_name(name);
+    if (is_reserved_name(name)) throw std::invalid_argument(name + " is a name of its own use");
     const std::vector<Plane>& planes = keeper.planes();
     response.message = std::to_string(planes.size()) + " planes written to";
-    for (const std::filesystem::path& file :
-         save_model(planes, directory, name, keeper.stripe_gap_m(), frame))
+    for (const std::filesystem::path& file : save_model(
+             planes, directory, name, keeper.stripe_gap_m(), frame, keeper.file_bytes(frame)))
       response.message += " " + file.string();
     response.success = true;
   } catch (const std::exception& error) {
     response.message = error.what();
   }
   return response;
+}
+
+Load::Response load_response(const std::string& name, ModelKeeper& keeper,
+                             const std::filesystem::path& directory, const std::string& frame) {
+  Load::Response response;
+  try {
+    check_save_name(name);
+    const auto path_of = [&](const std::string& file) {
+      return directory / (file + kModelFileEnding);
+    };
+    ModelFile file = load_model_file(path_of(name));
+    if (!keeper.modeler().ribbons().empty()) {
+      write_file_atomically(path_of(kBeforeLoad), keeper.file_bytes(frame));
+    }
+    response.message = load_into(keeper, std::move(file), path_of(name), frame);
+    response.success = true;
+  } catch (const std::exception& error) {
+    response.message = error.what();
+  }
+  return response;
+}
+
+std::string load_into(ModelKeeper& keeper, ModelFile file, const std::filesystem::path& path,
+                      const std::string& frame) {
+  std::string text;
+  for (const std::string& sentence : differences(file, keeper.modeler().config(), frame)) {
+    text += "; " + sentence;
+  }
+  keeper.load(std::move(file));
+  const ModelStatistics statistics = keeper.modeler().statistics();
+  return path.string() + ": " + std::to_string(statistics.ribbons) + " ribbons of " +
+         std::to_string(statistics.lines) + " lines, " + std::to_string(statistics.revision) +
+         " corrections, " + std::to_string(keeper.planes().size()) + " planes" + text;
 }
 
 }  // namespace ribbon_mapper

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <ribbon_mapper/GetModel.h>
+#include <ribbon_mapper/Load.h>
 #include <ribbon_mapper/Save.h>
 
 #include <filesystem>
@@ -17,9 +18,19 @@ namespace ribbon_mapper {
 GetModel::Response model_response(const GetModel::Request& request, ModelKeeper& keeper,
                                   const std::string& map_frame);
 
-/// Writes the final planes as files below `directory` and returns the answer to ~save. Errors are
-/// part of the answer.
+/// Writes the model and its final planes as files below `directory` and returns the answer to
+/// ~save. Errors are part of the answer.
 Save::Response save_response(const std::string& name, ModelKeeper& keeper,
                              const std::filesystem::path& directory, const std::string& frame);
+
+/// Replaces the model by one that ~save has written below `directory`, and returns the answer to
+/// ~load. A model with ribbons is written there first, as kBeforeLoad. Errors are part of the
+/// answer; the model then stays as it was.
+Load::Response load_response(const std::string& name, ModelKeeper& keeper,
+                             const std::filesystem::path& directory, const std::string& frame);
+
+/// Goes on from a model file. Returns a sentence on what was loaded and what differs.
+std::string load_into(ModelKeeper& keeper, ModelFile file, const std::filesystem::path& path,
+                      const std::string& frame);
 
 }  // namespace ribbon_mapper

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "modeler/io/config_file.hpp"
+#include "modeler/model_file/autosave.hpp"
 #include "modeler/ros/intake/clock_guard.hpp"
 #include "modeler/ros/intake/line_intake.hpp"
 #include "modeler/ros/intake/model_doubts.hpp"
@@ -31,6 +32,9 @@ struct ModelerParameters {
   double tf_cache_s;
   OnTimeJump on_time_jump;
   std::filesystem::path output_dir;
+  std::string load;
+  bool resume;
+  double autosave_period_s;
 
   static ModelerParameters read() {
     StrictParameters from;
@@ -40,6 +44,9 @@ struct ModelerParameters {
     p.on_time_jump = on_time_jump_from(from.text("on_time_jump", "reset"));
     p.output_dir = std::filesystem::absolute(
         from.filled_text("output_dir", "models", "a folder for saved models"));
+    p.load = from.text("load", "");
+    p.resume = from.flag("resume", false);
+    p.autosave_period_s = from.number("autosave_period_s", 0.0, 0.0, 86400.0);
     from.refuse_unknown();
     p.config = load_config(p.lines.config_file);
     return p;
@@ -49,17 +56,25 @@ struct ModelerParameters {
 /// Runs the modeler on ROS. One thread serves all callbacks; none of them blocks.
 class ModelerNode {
  public:
+  /// Starts the node. Throws if there is a model to load, and it cannot be.
   explicit ModelerNode(const ModelerParameters& parameters);
+  /// Saves what has changed since the last autosave, if it is time, or if the node ends.
+  void autosave(bool is_last);
 
  private:
   void on_scan(const sensor_msgs::LaserScan& scan);
   void on_corrected_trajectory(const nav_msgs::Path& path);
   bool on_reset(std_srvs::Trigger::Request&, std_srvs::Trigger::Response& response);
   bool on_save(Save::Request& request, Save::Response& response);
+  bool on_load(Load::Request& request, Load::Response& response);
   bool on_get_model(GetModel::Request& request, GetModel::Response& response);
   void check_clock();
   void on_time_jump();
+  void load_at_start();
+  void begin_another_model();
   void empty_model();
+  void forget_lines();
+  const std::string& map_frame() const { return parameters_.lines.options.frames.map; }
   void take_lines();
   void report();
   void warn_of_doubts();
@@ -67,6 +82,7 @@ class ModelerNode {
   ModelerParameters parameters_;
   ros::NodeHandle node_, private_node_{"~"};
   ModelKeeper keeper_;
+  Autosave autosave_;
   LineIntake intake_;
   ClockGuard clock_;
   AttentiveClock wait_clock_;
@@ -75,7 +91,7 @@ class ModelerNode {
   ModelPublisher publisher_;
   LineReport line_report_;
   ModelerDiagnostics diagnostics_;
-  ros::ServiceServer reset_, save_, get_model_;
+  ros::ServiceServer reset_, save_, load_, get_model_;
   ros::Subscriber corrected_trajectory_, scan_;
   ros::WallTimer line_timer_, report_timer_;
   BarrenLines barren_lines_;
@@ -88,14 +104,17 @@ class ModelerNode {
 ModelerNode::ModelerNode(const ModelerParameters& parameters)
     : parameters_(parameters),
       keeper_(parameters.config),
+      autosave_(parameters.output_dir, parameters.autosave_period_s),
       intake_(parameters.lines.options, keeper_.log()),
       tf_(parameters.tf_cache_s, parameters.lines.tf_drop_frames),
       tf_feed_(node_, tf_, [this] { check_clock(); }),
       publisher_(private_node_, parameters.lines.options.frames.map),
       line_report_(keeper_.log(), intake_, tf_, node_.resolveName("scan")),
       diagnostics_(keeper_, line_report_) {
+  load_at_start();
   reset_ = private_node_.advertiseService("reset", &ModelerNode::on_reset, this);
   save_ = private_node_.advertiseService("save", &ModelerNode::on_save, this);
+  load_ = private_node_.advertiseService("load", &ModelerNode::on_load, this);
   get_model_ = private_node_.advertiseService("get_model", &ModelerNode::on_get_model, this);
   corrected_trajectory_ =
       node_.subscribe("corrected_trajectory", 2, &ModelerNode::on_corrected_trajectory, this);
@@ -128,8 +147,7 @@ void ModelerNode::take_lines() {
 void ModelerNode::on_corrected_trajectory(const nav_msgs::Path& path) {
   take_lines();
   try {
-    const std::vector<StampedPose> trajectory =
-        trajectory_of(path, parameters_.lines.options.frames.map);
+    const std::vector<StampedPose> trajectory = trajectory_of(path, map_frame());
     keeper_.correct(trajectory);
     if (const auto text = turns_.contradiction(trajectory))
       ROS_WARN("Corrected, but %s", text->c_str());
@@ -154,15 +172,26 @@ bool ModelerNode::on_reset(std_srvs::Trigger::Request&, std_srvs::Trigger::Respo
 }
 
 bool ModelerNode::on_save(Save::Request& request, Save::Response& response) {
-  response = save_response(request.name, keeper_, parameters_.output_dir,
-                           parameters_.lines.options.frames.map);
+  response = save_response(request.name, keeper_, parameters_.output_dir, map_frame());
   if (!response.success) ROS_ERROR("Not saved: %s", response.message.c_str());
+  return true;
+}
+
+bool ModelerNode::on_load(Load::Request& request, Load::Response& response) {
+  response = load_response(request.name, keeper_, parameters_.output_dir, map_frame());
+  if (!response.success) {
+    ROS_ERROR("Not loaded: %s", response.message.c_str());
+    return true;
+  }
+  begin_another_model();
+  forget_lines();
+  ROS_INFO("Loaded %s", response.message.c_str());
   return true;
 }
 
 bool ModelerNode::on_get_model(GetModel::Request& request, GetModel::Response& response) {
   take_lines();
-  response = model_response(request, keeper_, parameters_.lines.options.frames.map);
+  response = model_response(request, keeper_, map_frame());
   return true;
 }
 
@@ -180,8 +209,42 @@ void ModelerNode::on_time_jump() {
   ROS_WARN("Simulated time went back: %s", what_happens_on(parameters_.on_time_jump));
 }
 
+void ModelerNode::load_at_start() {
+  const auto path =
+      file_to_start_from({parameters_.output_dir, parameters_.load, parameters_.resume});
+  if (path) {
+    ROS_INFO("Loaded %s", load_into(keeper_, load_model_file(*path), *path, map_frame()).c_str());
+  }
+  if (path != autosave_.file()) begin_another_model();
+}
+
+/// Keeps the autosave of the model so far.
+void ModelerNode::begin_another_model() {
+  try {
+    autosave_.begin_another();
+  } catch (const std::runtime_error& error) {
+    ROS_ERROR("%s", error.what());
+  }
+}
+
 void ModelerNode::empty_model() {
+  begin_another_model();
   keeper_.reset();
+  forget_lines();
+}
+
+void ModelerNode::autosave(bool is_last) {
+  if (keeper_.modeler().ribbons().empty()) return;  // nothing is lost
+  const auto bytes = [this] { return keeper_.file_bytes(map_frame()); };
+  const std::size_t version = keeper_.version();
+  const std::string error = is_last
+                                ? autosave_.finish(version, bytes)
+                                : autosave_.offer(version, ros::SteadyTime::now().toSec(), bytes);
+  if (!error.empty()) ROS_ERROR("No autosave: %s", error.c_str());
+}
+
+/// Forgets what is known of the lines so far.
+void ModelerNode::forget_lines() {
   turns_.clear();
   line_report_.restart();
   barren_lines_ = {};
@@ -191,6 +254,7 @@ void ModelerNode::empty_model() {
 void ModelerNode::report() {
   publisher_.publish(keeper_, intake_.done());
   diagnostics_.publish();
+  autosave(false);
   if (++reports_ % 5 != 0) return;  // counted, not throttled: simulated time may stand still
   line_report_.warn();
   warn_of_doubts();
@@ -226,6 +290,7 @@ int main(int argc, char** argv) {
   try {
     ribbon_mapper::ModelerNode node(ribbon_mapper::ModelerParameters::read());
     ros::spin();
+    node.autosave(true);
   } catch (const std::exception& error) {
     ROS_FATAL("%s", error.what());
     return 1;

@@ -13,8 +13,8 @@ constexpr const char* kDescription =
     "Models the scan lines of a bag as fast as possible, with the code of the node but without a\n"
     "ROS master. The same bag gives the same planes, byte for byte.\n"
     "Writes planes_before.json (recorded poses, as built on the way), planes_after.{json,ply,bt}\n"
-    "and planes_after_cells.ply (the final model), trajectory.tum and summary.json,"
-    " with --trajectory self trajectory_covariance.csv as well.";
+    "and planes_after_cells.ply (the final model), model.ribbons (to be loaded again),\n"
+    "trajectory.tum and summary.json, with --trajectory self trajectory_covariance.csv as well.";
 
 constexpr const char* kFooter =
     "Not sure what is in the bag? `bag_check FILE` lists it and reports what is wrong.\n"
@@ -27,9 +27,13 @@ std::variant<OfflineOptions, int> parse_offline_options(int argc, const char* co
   std::string tf_drop_frames;
   CLI::App app(kDescription, "offline_modeler");
   app.footer(kFooter);
-  app.add_option("--bag", options.bags, "bags, read as one in the order of time")->required();
+  auto* const bag = app.add_option("--bag", options.bags, "bags, read as one in the order of time");
+  app.add_option(
+         "--load", options.load,
+         "model file (*.ribbons) to go on from, with its configuration if no other is named")
+      ->check(CLI::ExistingFile);
   app.add_option("--output", options.output, "folder for the results")->capture_default_str();
-  app.add_option("--config", options.config, "preset of the modeler")->capture_default_str();
+  app.add_option("--config", options.config, "preset of the modeler")->default_str(kPreset);
   app.add_option("--trajectory", options.trajectory,
                  "corrected poses of the base in map (TUM: stamp x y z qx qy qz qw); or `self`: "
                  "estimated from odometry and planes");
@@ -46,6 +50,10 @@ std::variant<OfflineOptions, int> parse_offline_options(int argc, const char* co
     app.parse(argc, argv);
     if (!options.base_scan.empty() && !options.estimates_trajectory()) {
       throw CLI::ValidationError("--base-scan", "only the estimate uses it: add --trajectory self");
+    }
+    if (options.load.empty() && bag->count() == 0) throw CLI::RequiredError("--bag, or --load,");
+    if (!options.load.empty() && options.estimates_trajectory()) {
+      throw CLI::ExcludesError("--load", "--trajectory self");
     }
   } catch (const CLI::ParseError& error) {
     return app.exit(error) == 0 ? 0 : 2;

@@ -11,13 +11,17 @@
 
 namespace ribbon_mapper {
 
+/// The preset where none is named.
+constexpr const char* kPreset = "config/pr2.yaml";
+
 /// Command line options of `offline_modeler`.
 struct OfflineOptions {
   std::vector<std::filesystem::path> bags;  ///< read as one
   std::filesystem::path trajectory;         ///< TUM file or "self"; empty: the recorded poses
   std::string base_scan;         ///< topic of a level laser that refines the odometry; empty: none
   bool poses_are_final = false;  ///< the recorded poses are as good as corrected ones
-  std::string config = "config/pr2.yaml";            ///< preset
+  std::string config;            ///< preset; empty: that of `load`, or kPreset
+  std::filesystem::path load;    ///< model file to go on from; empty: none
   std::filesystem::path output = "results/offline";  ///< folder for the results
   bool with_figure = false;                          ///< also draws model_views.png
   BagOptions bag;                                    ///< topic, frames and times

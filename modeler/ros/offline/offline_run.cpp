@@ -5,12 +5,14 @@
 #include <algorithm>
 #include <optional>
 #include <stdexcept>
+#include <utility>
 
 #include "modeler/assembly/model_quality.hpp"
 #include "modeler/io/config_file.hpp"
 #include "modeler/io/planes_json.hpp"
 #include "modeler/io/save.hpp"
 #include "modeler/io/tum.hpp"
+#include "modeler/model_file/model_file.hpp"
 #include "modeler/program/figure.hpp"
 #include "modeler/program/installed_files.hpp"
 #include "modeler/ros/bag_check/number_text.hpp"
@@ -65,6 +67,7 @@ struct Modelling {
 
 void take_lines(const OfflineOptions& options, Modelling& modelling, OfflineSummary& summary,
                 const ProgressCallback& progress) {
+  if (options.bags.empty()) return;
   ModelKeeper& keeper = modelling.keeper;
   BagLines lines(options.bags, options.bag, keeper.log());
   summary.scan_topic = lines.scan_topic();
@@ -79,7 +82,7 @@ void take_lines(const OfflineOptions& options, Modelling& modelling, OfflineSumm
   const TransformLog& transforms = lines.transforms();
   summary.repeated_transforms = transforms.counts().repeated;
   summary.refused_transforms = transforms.counts().refused;
-  summary.notes = lines.choices();
+  for (const std::string& choice : lines.choices()) summary.notes.push_back(choice);
   for (const std::string& warning : transform_warnings(transforms))
     summary.notes.push_back(warning);
   add_doubts_about_lines(keeper.log(), summary);
@@ -144,6 +147,10 @@ std::vector<StampedPose> final_poses(const OfflineOptions& options, Modelling& m
     origin = options.trajectory.filename().string();
     return read_tum(options.trajectory);
   }
+  if (!options.poses_are_final && modeler.statistics().revision > 0) {
+    origin = "as corrected in the model that was loaded";
+    return {};
+  }
   const bool still = stands_still(modeler.trajectory());
   origin = still                     ? "recorded, the base stands still"
            : options.poses_are_final ? "recorded, final"
@@ -177,15 +184,40 @@ void describe(const ModelKeeper& keeper, const ModelerConfig& config, OfflineRun
   }
 }
 
+/// What a run begins with.
+struct Beginning {
+  std::optional<ModelFile> file;
+  ModelerConfig config;
+};
+
+/// Reads the model file and the preset, if there are, and writes to the summary what they are.
+Beginning begin(const OfflineOptions& options, OfflineSummary& summary) {
+  Beginning result;
+  if (!options.load.empty()) result.file = load_model_file(options.load);
+  if (result.file && options.config.empty()) {
+    result.config = result.file->config;
+    summary.config = "of " + options.load.filename().string();
+  } else {
+    const auto preset = find_installed_file(options.config.empty() ? kPreset : options.config);
+    result.config = load_config(preset.string());
+    summary.config = portable_name(preset).string();
+  }
+  if (result.file) {
+    summary.notes = differences(*result.file, result.config, options.bag.intake.frames.map);
+  }
+  return result;
+}
+
 }  // namespace
 
 OfflineRun model_bags(const OfflineOptions& options, const ProgressCallback& progress) {
-  const ModelerConfig config = load_config(find_installed_file(options.config).string());
-  Modelling modelling(config, options);
-  ModelKeeper& keeper = modelling.keeper;
   OfflineRun run;
   for (const auto& bag : options.bags) run.summary.bags.push_back(bag.filename().string());
-  run.summary.config = portable_name(find_installed_file(options.config)).string();
+  Beginning beginning = begin(options, run.summary);
+  const ModelerConfig& config = beginning.config;
+  Modelling modelling(config, options);
+  ModelKeeper& keeper = modelling.keeper;
+  if (beginning.file) keeper.load(std::move(*beginning.file));
   take_lines(options, modelling, run.summary, progress);
   require_ribbons(keeper, run.summary);
 
@@ -197,6 +229,7 @@ OfflineRun model_bags(const OfflineOptions& options, const ProgressCallback& pro
   run.stripe_gap_m = config.surface.stripe_gap_m;
   run.frame = options.bag.intake.frames.map;
   run.trajectory = keeper.modeler().trajectory();
+  run.model_file = keeper.file_bytes(run.frame);
   describe(keeper, config, run);
   return run;
 }
@@ -212,6 +245,7 @@ void write_model(const OfflineRun& run, const std::filesystem::path& directory, 
   if (!run.covariances.empty()) {
     files.add(kCovarianceFile, to_covariance_csv(run.trajectory, run.covariances, label.run));
   }
+  files.add(std::string("model") + kModelFileEnding, run.model_file);
   files.add("summary.json", summary_to_json(run.summary, label.run));
   add_model(run.planes_after, label, "planes_after", run.stripe_gap_m, files);
   if (with_figure) draw_figure(Figure::model_views, files.folder(), directory);

@@ -22,6 +22,7 @@ struct OfflineRun {
   double stripe_gap_m = SurfaceConfig{}.stripe_gap_m;  ///< as configured, for the mesh
   std::string frame = "map";                           ///< frame of the model
   std::vector<StampedPose> trajectory;                 ///< acquisition poses of the final model
+  std::string model_file;                              ///< bytes of a model file
   std::vector<Matrix6> covariances;                    ///< of an estimate, by pose of `trajectory`
 };
 
