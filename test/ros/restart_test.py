@@ -14,8 +14,7 @@ from ribbon_mapper.srv import GetModel
 from diagnostics import Diagnostics
 from program import Program
 from robot_before_a_wall import Robot
-from simulated_clock import SimulatedClock
-from waiting import eventually, service
+from waiting import SimulatedClock, eventually, service
 
 CONFIG = os.path.join(rospkg.RosPack().get_path('ribbon_mapper'), 'config/pr2.yaml')
 LINES = 100

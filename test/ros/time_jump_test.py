@@ -14,8 +14,7 @@ from std_srvs.srv import Trigger
 
 from diagnostics import Diagnostics
 from robot_before_a_wall import Robot
-from simulated_clock import SimulatedClock
-from waiting import Latest, eventually, service
+from waiting import Latest, SimulatedClock, eventually, service
 
 
 class TimeJump(unittest.TestCase):

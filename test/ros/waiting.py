@@ -4,6 +4,7 @@
 import time
 
 import rospy
+from rosgraph_msgs.msg import Clock
 
 # Seconds on the wall clock, far more than a loaded machine needs. A kept promise ends the wait.
 PATIENCE = 300.0
@@ -45,3 +46,18 @@ class Latest:
         """Returns the newest message, once there is one."""
         assert eventually(lambda: self.messages), self._subscriber.name + ' is silent'
         return self.messages[-1]
+
+
+class SimulatedClock:
+    """A /clock that stands still between two settings."""
+
+    def __init__(self):
+        self._publisher = rospy.Publisher('/clock', Clock, queue_size=10)
+
+    def set(self, stamp, *get_model):
+        """Sets the time, and waits until the modelers behind the services have noticed."""
+        assert eventually(lambda: all(self._shown_by(proxy, stamp) for proxy in get_model))
+
+    def _shown_by(self, get_model, stamp):
+        self._publisher.publish(Clock(stamp))
+        return get_model(which=0, as_built=False, cells=False).planes.header.stamp == stamp

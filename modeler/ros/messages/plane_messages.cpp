@@ -35,7 +35,7 @@ BoundedPlane plane_message(const Plane& plane, bool with_cells) {
   const Eigen::AlignedBox3d box = bounding_box(plane);
   message.bbox_min = point_message(box.min());
   message.bbox_max = point_message(box.max());
-  for (const ribbon_mapper::Outline& outline : plane.outlines) {
+  for (const Outline& outline : plane.outlines) {
     auto& outline_message = message.outlines.emplace_back();
     outline_message.outer = polygon_message(outline.outer);
     for (const auto& hole : outline.holes) outline_message.holes.push_back(polygon_message(hole));
