@@ -21,6 +21,7 @@ _CORE = {
     "association": ["geometry", "ribbon", "observations"],
     "surface": ["geometry", "polygon", "ribbon", "observations", "association"],
     "assembly": ["geometry", "polygon", "ribbon", "observations", "association", "surface"],
+    "maps": ["geometry", "ribbon", "observations", "surface"],
     "chain": ["geometry"],
     "registration": ["geometry", "ribbon", "trajectory", "observations", "association", "chain"],
 }
@@ -46,7 +47,9 @@ ROOMS = {
     "slam/tilting": Room(_MODELER + ["slam/lines", "slam/places"], ["Eigen"]),
     "modeler/ros/messages": Room(_TOOLS, ANY),
     "modeler/ros/intake": Room(_TOOLS + ["modeler/ros/messages"], ANY),
-    "modeler/ros/node": Room(_TOOLS + ["modeler/ros/messages", "modeler/ros/intake"], ANY),
+    "modeler/ros/maps": Room(_TOOLS + ["modeler/ros/messages"], ANY),
+    "modeler/ros/node": Room(_TOOLS + ["modeler/ros/messages", "modeler/ros/intake",
+                                       "modeler/ros/maps"], ANY),
     "modeler/ros/slam_adapter": Room(_TOOLS + _ROS, ANY),
     "modeler/ros/bag": Room(_TOOLS + _ROS, ANY),
     "modeler/ros/bag_timing": Room(_TOOLS + _ROS + ["modeler/ros/bag"], ANY),
