@@ -85,6 +85,8 @@ void visit_assembly(Section& section, Visitor& visit) {
   visit("assembly.curvature_sigmas", section.curvature_sigmas, 0.0, 100.0);
   visit("assembly.on_plane_m", section.on_plane_m, 0.0, 1.0);
   visit("assembly.beside_plane_m", section.beside_plane_m, 0.01, 10.0);
+  visit("assembly.passed_lines", section.passed_lines, 0, 1000);
+  visit("assembly.passed_beyond_m", section.passed_beyond_m, 0.01, 10.0);
 }
 
 /// Visits the keys of section `registration`.
