@@ -5,9 +5,9 @@
 #include <algorithm>
 #include <stdexcept>
 
-#include "modeler/io/map_files.hpp"
 #include "modeler/io/octomap.hpp"
 #include "modeler/io/save.hpp"
+#include "modeler/map_files/map_files.hpp"
 #include "modeler/observations/observations.hpp"
 
 namespace ribbon_mapper {

@@ -8,10 +8,10 @@
 
 #include "modeler/assembly/model_quality.hpp"
 #include "modeler/io/config_file.hpp"
-#include "modeler/io/map_files.hpp"
 #include "modeler/io/planes_json.hpp"
 #include "modeler/io/save.hpp"
 #include "modeler/io/tum.hpp"
+#include "modeler/map_files/map_files.hpp"
 #include "modeler/observations/observations.hpp"
 #include "modeler/program/figure.hpp"
 #include "modeler/program/installed_files.hpp"

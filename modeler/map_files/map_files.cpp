@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 ribbon_mapper authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "modeler/io/map_files.hpp"
+#include "modeler/map_files/map_files.hpp"
 
 #include <locale>
 #include <sstream>
