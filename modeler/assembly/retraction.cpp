@@ -18,8 +18,8 @@ constexpr double kMinAngle_deg = 10.0;
 /// Part of a plane's cells that, once passed, takes all of the plane with it.
 constexpr double kWholeShare = 0.5;
 
-/// Number of ribbons that are handled together: those of a few seconds, which lie close together.
-constexpr std::size_t kChunk = 2000;
+/// Number of ribbons that are handled together: those of about a second, which lie close together.
+constexpr std::size_t kChunk = 250;
 
 /// The beams of a ribbon in map.
 struct Beams {
@@ -52,8 +52,12 @@ class PassedCells {
 
   /// Counts the points of a line on the plane.
   void hit(const Beams& beams) {
-    beams.ribbon.samples().for_each([&](float along_m, float height_m, std::uint32_t) {
-      Cell* const cell = cell_at(grid_place(beams.ribbon.point(along_m, height_m)));
+    const Eigen::Vector2f centroid = grid_place(beams.ribbon.centroid).cast<float>();
+    const Eigen::Vector2f along =
+        (grid_place(beams.ribbon.centroid + beams.ribbon.along) - grid_place(beams.ribbon.centroid))
+            .cast<float>();
+    beams.ribbon.samples().for_each([&](float along_m, float, std::uint32_t) {
+      Cell* const cell = cell_at(Eigen::Vector2f(centroid + along_m * along));
       if (cell != nullptr) *cell = {beams.line(), 0, true};
     });
   }
@@ -124,7 +128,8 @@ class PassedCells {
     return Eigen::Vector2d(offset.dot(plane_->axis_u), offset.dot(plane_->axis_v)) /
            plane_->cell_size_m;
   }
-  Cell* cell_at(const Eigen::Vector2d& place) {
+  template <typename Place>
+  Cell* cell_at(const Place& place) {
     const int u = floor_to_int(place.x()), v = floor_to_int(place.y());
     return holds(u, v) ? &cells_[index(u, v)] : nullptr;
   }
