@@ -30,10 +30,15 @@ struct Section {
   void (*measure)(const Inputs&, Report&);
   bool always = true;  ///< runs even if it is not named
 };
-constexpr Section kSections[] = {{"normals", measure_normals}, {"lines", measure_lines},
-                                 {"planes", measure_planes},   {"corrections", measure_corrections},
-                                 {"memory", measure_memory},   {"rays", measure_rays},
-                                 {"growth", measure_growth},   {"profile", run_for_profile, false}};
+constexpr Section kSections[] = {{"normals", measure_normals},
+                                 {"lines", measure_lines},
+                                 {"planes", measure_planes},
+                                 {"corrections", measure_corrections},
+                                 {"maps", measure_maps},
+                                 {"memory", measure_memory},
+                                 {"rays", measure_rays},
+                                 {"growth", measure_growth},
+                                 {"profile", run_for_profile, false}};
 
 constexpr const char* kBags = "bag";  // name of the section on recordings
 

@@ -33,6 +33,9 @@ void measure_corrections(const Inputs& inputs, Report& report);
 /// Measures the memory of the map.
 void measure_memory(const Inputs& inputs, Report& report);
 
+/// Measures the time and memory of maps of free space.
+void measure_maps(const Inputs& inputs, Report& report);
+
 /// Measures the simulator's rays per second.
 void measure_rays(const Inputs& inputs, Report& report);
 

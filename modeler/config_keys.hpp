@@ -85,6 +85,8 @@ void visit_assembly(Section& section, Visitor& visit) {
   visit("assembly.curvature_sigmas", section.curvature_sigmas, 0.0, 100.0);
   visit("assembly.on_plane_m", section.on_plane_m, 0.0, 1.0);
   visit("assembly.beside_plane_m", section.beside_plane_m, 0.01, 10.0);
+  visit("assembly.passed_lines", section.passed_lines, 0, 1000);
+  visit("assembly.passed_beyond_m", section.passed_beyond_m, 0.01, 10.0);
 }
 
 /// Visits the keys of section `registration`.
@@ -104,6 +106,16 @@ void visit_registration(Section& section, Visitor& visit) {
   visit("registration.final_gate_ratio", section.final_gate_ratio, 0.0, 10.0);
 }
 
+/// Visits the keys of section `maps`.
+template <typename Section, typename Visitor>
+void visit_maps(Section& section, Visitor& visit) {
+  visit("maps.voxel_m", section.voxel_m, 0.01, 1.0);
+  visit("maps.surface_margin_m", section.surface_margin_m, 0.0, 1.0);
+  visit("maps.obstacle_min_m", section.obstacle_min_m, -10.0, 10.0);
+  visit("maps.obstacle_max_m", section.obstacle_max_m, 0.0, 100.0);
+  visit("maps.min_free_share", section.min_free_share, 0.0, 1.0);
+}
+
 }  // namespace config_keys
 
 /// Visits every key of the configuration: `visit(name, value, min, max)` for numbers with their
@@ -118,6 +130,7 @@ void visit_keys(Config& config, Visitor& visit) {
   config_keys::visit_surface(config.surface, visit);
   config_keys::visit_assembly(config.assembly, visit);
   config_keys::visit_registration(config.registration, visit);
+  config_keys::visit_maps(config.maps, visit);
 }
 
 }  // namespace ribbon_mapper

@@ -200,8 +200,11 @@ std::vector<Plane> Modeler::planes_as_built() const {
 
 std::vector<Plane> Modeler::planes() const {
   const State& s = *state_;
+  AssemblyConfig assembly = s.config.assembly;
+  // With drift, beams seem to pass walls.
+  if (!s.observations.trajectory().is_corrected()) assembly.passed_lines = 0;
   return assembled_planes(s.evaluation.map.merged_hypotheses(), s.evaluation.map.gates(),
-                          s.observations.posed(), s.config.surface, s.config.assembly);
+                          s.observations.posed(), s.config.surface, assembly);
 }
 
 std::vector<StampedPose> Modeler::trajectory() const {

@@ -30,6 +30,9 @@ void ModelerConfig::validate() const {
   if (scan.min_range_m >= scan.max_range_m) {
     throw std::invalid_argument("scan.min_range_m must be below scan.max_range_m");
   }
+  if (maps.obstacle_min_m >= maps.obstacle_max_m) {
+    throw std::invalid_argument("maps.obstacle_min_m must be below maps.obstacle_max_m");
+  }
 }
 
 }  // namespace ribbon_mapper

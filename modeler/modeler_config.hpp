@@ -4,6 +4,7 @@
 
 #include "modeler/assembly/assembly_config.hpp"
 #include "modeler/association/association_config.hpp"
+#include "modeler/maps/maps_config.hpp"
 #include "modeler/observations/observations_config.hpp"
 #include "modeler/registration/registration_config.hpp"
 #include "modeler/ribbon/ribbon_config.hpp"
@@ -23,6 +24,7 @@ struct ModelerConfig {
   SurfaceConfig surface;            ///< cells of a plane
   AssemblyConfig assembly;          ///< hypotheses to planes
   RegistrationConfig registration;  ///< lines between corrected poses
+  MapsConfig maps;                  ///< free space and the map for navigation
 
   /// Throws std::invalid_argument with the key, its value and the allowed range if a value is out
   /// of range.

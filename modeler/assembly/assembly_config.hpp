@@ -32,6 +32,14 @@ struct AssemblyConfig {
 
   /// Largest distance, within the plane, of a single point from where ribbons saw the plane [m].
   double beside_plane_m = 0.15;
+
+  /// Number of lines that must pass a cell after the last line that ended in it, so that what was
+  /// seen there is gone: as many as make a ribbon. 0: what was seen once stays. Counts only once
+  /// there is a correction.
+  int passed_lines = 3;
+  /// Distance that a beam must go beyond a plane to have passed it [m]: more than the error of
+  /// corrected poses and than the depth of mouldings.
+  double passed_beyond_m = 0.15;
 };
 
 }  // namespace ribbon_mapper

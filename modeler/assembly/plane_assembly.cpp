@@ -8,6 +8,7 @@
 #include "modeler/assembly/corner_lines.hpp"
 #include "modeler/assembly/pieces.hpp"
 #include "modeler/assembly/point_assignment.hpp"
+#include "modeler/assembly/retraction.hpp"
 #include "modeler/assembly/spurious_planes.hpp"
 #include "modeler/surface/curvature.hpp"
 #include "modeler/surface/outline.hpp"
@@ -196,6 +197,9 @@ std::vector<Plane> assembled_planes(const std::vector<Hypothesis>& hypotheses,
                  surfaces.end());
   std::vector<Plane> planes =
       finished(std::move(surfaces), gates, config.min_area_m2, observations, bridged_gap_m, config);
+  if (config.passed_lines > 0) {
+    planes = without_passed_cells(std::move(planes), observations, config);
+  }
   for (Plane& plane : planes) plane.outlines = outlines_of(plane, surface_config);
   join_at_corner_lines(planes, kCornerReachInCells * surface_config.cell_size_m);
   return planes;

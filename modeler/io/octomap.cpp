@@ -50,6 +50,25 @@ void occupy(octomap::OcTree& tree, const Plane& plane, const PlaneCell& cell,
   }
 }
 
+/// Returns the tree of a map, with the states as the limits of OctoMap's log odds.
+octomap::OcTree tree_of(const VoxelMap& voxels) {
+  constexpr bool kInnerNodesLater = true;
+  constexpr int kMiddle = 32768;  // key of the first voxel on the positive side
+  octomap::OcTree tree(voxels.voxel_m());
+  voxels.for_each([&](const VoxelIndex& voxel, VoxelState state) {
+    const auto key = [&](std::size_t axis) {
+      return static_cast<octomap::key_type>(voxel[axis] + kMiddle);
+    };
+    tree.setNodeValue(octomap::OcTreeKey(key(0), key(1), key(2)),
+                      state == VoxelState::occupied ? tree.getClampingThresMaxLog()
+                                                    : tree.getClampingThresMinLog(),
+                      kInnerNodesLater);
+  });
+  tree.updateInnerOccupancy();
+  tree.prune();
+  return tree;
+}
+
 /// Returns the bytes that OcTree::writeBinary() writes, without its messages on stderr.
 std::string binary_file(const octomap::OcTree& tree, const ModelLabel& label) {
   std::ostringstream stream;
@@ -72,6 +91,16 @@ std::string planes_to_octomap(const std::vector<Plane>& planes, const ModelLabel
   tree.toMaxLikelihood();
   tree.prune();
   return binary_file(tree, label);
+}
+
+std::string voxels_to_octomap(const VoxelMap& voxels, const ModelLabel& label) {
+  return binary_file(tree_of(voxels), label);
+}
+
+std::string octomap_data(const VoxelMap& voxels) {
+  std::ostringstream stream;
+  tree_of(voxels).writeBinaryData(stream);
+  return stream.str();
 }
 
 }  // namespace ribbon_mapper

@@ -21,13 +21,14 @@ _CORE = {
     "association": ["geometry", "ribbon", "observations"],
     "surface": ["geometry", "polygon", "ribbon", "observations", "association"],
     "assembly": ["geometry", "polygon", "ribbon", "observations", "association", "surface"],
+    "maps": ["geometry", "ribbon", "observations", "surface"],
     "chain": ["geometry"],
     "registration": ["geometry", "ribbon", "trajectory", "observations", "association", "chain"],
 }
 _METHOD = [f"modeler/{name}" for name in _CORE]
 _MODELER = _METHOD + ["modeler"]
-_TOOLS = _MODELER + ["modeler/calibration", "modeler/storage", "modeler/io", "modeler/mesh",
-                     "modeler/model_file", "modeler/program"]
+_TOOLS = _MODELER + ["modeler/calibration", "modeler/storage", "modeler/io", "modeler/map_files",
+                     "modeler/mesh", "modeler/model_file", "modeler/program"]
 _ROS = ["modeler/ros/messages", "modeler/ros/intake", "modeler/ros/node"]
 _SIM = ["sim/shapes", "sim/sdf", "sim/world", "sim/rays", "sim/robot", "sim/tour", "sim/truth"]
 _POSE = ["modeler/geometry/time.hpp", "modeler/geometry/pose.hpp"]
@@ -40,6 +41,7 @@ ROOMS = {
     "modeler/storage": Room([], ["sys"]),
     "modeler/io": Room(_MODELER + ["modeler/calibration", "modeler/storage"],
                        ["Eigen", "nlohmann", "octomap", "yaml-cpp"]),
+    "modeler/map_files": Room(_MODELER + ["modeler/storage", "modeler/io"], ["Eigen"]),
     "modeler/mesh": Room(_MODELER + ["modeler/storage", "modeler/io"], ["Eigen", "GL", "assimp"]),
     "modeler/model_file": Room(_MODELER + ["modeler/calibration", "modeler/storage", "modeler/io"],
                                ["Eigen"]),
@@ -49,7 +51,9 @@ ROOMS = {
     "slam/tilting": Room(_MODELER + ["slam/lines", "slam/places"], ["Eigen"]),
     "modeler/ros/messages": Room(_TOOLS, ANY),
     "modeler/ros/intake": Room(_TOOLS + ["modeler/ros/messages"], ANY),
-    "modeler/ros/node": Room(_TOOLS + ["modeler/ros/messages", "modeler/ros/intake"], ANY),
+    "modeler/ros/maps": Room(_TOOLS + ["modeler/ros/messages"], ANY),
+    "modeler/ros/node": Room(_TOOLS + ["modeler/ros/messages", "modeler/ros/intake",
+                                       "modeler/ros/maps"], ANY),
     "modeler/ros/slam_adapter": Room(_TOOLS + _ROS, ANY),
     "modeler/ros/bag": Room(_TOOLS + _ROS, ANY),
     "modeler/ros/bag_timing": Room(_TOOLS + _ROS + ["modeler/ros/bag"], ANY),

@@ -8,9 +8,10 @@ import unittest
 
 import rospy
 import rostest
-from nav_msgs.msg import Odometry, Path
+from nav_msgs.msg import OccupancyGrid, Odometry, Path
+from nav_msgs.srv import GetMap
 from ribbon_mapper.msg import PlaneArray
-from ribbon_mapper.srv import GetModel, GetModelRequest
+from ribbon_mapper.srv import GetModel, GetModelRequest, Save
 from rosgraph_msgs.msg import Log
 from sensor_msgs.msg import LaserScan, PointCloud2
 from std_msgs.msg import Bool
@@ -131,6 +132,26 @@ class Wiring(unittest.TestCase):
             for marker in array.markers:
                 shown[marker.id] = marker
         return {i: m for i, m in shown.items() if m.action == Marker.ADD}
+
+    def test_maps_are_made_when_asked_for(self):
+        """The room is 6 x 4 m: its floor is free, and around it are walls."""
+        grid = service('modeler/get_map', GetMap)().map
+        self.assertEqual(grid.header.frame_id, 'map')
+        self.assertEqual(len(grid.data), grid.info.width * grid.info.height)
+        self.assertEqual(set(grid.data), {-1, 0, 100})
+        cell_m2 = grid.info.resolution ** 2
+        self.assertAlmostEqual(list(grid.data).count(0) * cell_m2, 24.0, delta=1.5)
+        self.assertGreater(list(grid.data).count(100), 2 * (6.0 + 4.0) / 0.05 * 0.8)
+        latched = Latest('modeler/map', OccupancyGrid)
+        self.assertEqual(latched.wait().info.width, grid.info.width)
+
+    def test_maps_are_saved_by_name(self):
+        save = service('modeler/save_map', Save)
+        answer = save('room')
+        self.assertTrue(answer.success, answer.message)
+        for ending in ('room_map.bt', 'room_map.pgm', 'room_map.yaml'):
+            self.assertIn(ending, answer.message)
+        self.assertFalse(save('../room').success)
 
     def test_diagnostics_count(self):
         self.diagnostics.wait_until_handled(self.model().lines)

@@ -13,6 +13,7 @@
 #include "modeler/ros/intake/model_doubts.hpp"
 #include "modeler/ros/intake/tf_feed.hpp"
 #include "modeler/ros/intake/time_jump.hpp"
+#include "modeler/ros/maps/map_server.hpp"
 #include "modeler/ros/messages/message_conversions.hpp"
 #include "modeler/ros/node/intake_parameters.hpp"
 #include "modeler/ros/node/line_report.hpp"
@@ -35,6 +36,7 @@ struct ModelerParameters {
   std::string load;
   bool resume;
   double autosave_period_s;
+  MapServerOptions maps;
 
   static ModelerParameters read() {
     StrictParameters from;
@@ -47,8 +49,12 @@ struct ModelerParameters {
     p.load = from.text("load", "");
     p.resume = from.flag("resume", false);
     p.autosave_period_s = from.number("autosave_period_s", 0.0, 0.0, 86400.0);
+    p.maps.period_s = from.number("map_period", 10.0, 0.0, 86400.0);
     from.refuse_unknown();
     p.config = load_config(p.lines.config_file);
+    p.maps.frame = p.lines.options.frames.map;
+    p.maps.directory = p.output_dir;
+    p.maps.maps = p.config.maps;
     return p;
   }
 };
@@ -76,6 +82,7 @@ class ModelerNode {
   void forget_lines();
   const std::string& map_frame() const { return parameters_.lines.options.frames.map; }
   void take_lines();
+  void make_maps_if_wanted();
   void report();
   void warn_of_doubts();
 
@@ -89,6 +96,7 @@ class ModelerNode {
   TransformBuffer tf_;
   TfFeed tf_feed_;
   ModelPublisher publisher_;
+  MapServer maps_;
   LineReport line_report_;
   ModelerDiagnostics diagnostics_;
   ros::ServiceServer reset_, save_, load_, get_model_;
@@ -109,6 +117,7 @@ ModelerNode::ModelerNode(const ModelerParameters& parameters)
       tf_(parameters.tf_cache_s, parameters.lines.tf_drop_frames),
       tf_feed_(node_, tf_, [this] { check_clock(); }),
       publisher_(private_node_, parameters.lines.options.frames.map),
+      maps_(private_node_, parameters.maps),
       line_report_(keeper_.log(), intake_, tf_, node_.resolveName("scan")),
       diagnostics_(keeper_, line_report_) {
   load_at_start();
@@ -121,8 +130,10 @@ ModelerNode::ModelerNode(const ModelerParameters& parameters)
   // Subscribed last, so that everything is ready for the first line. The queue is long, so that no
   // line is lost during a correction.
   scan_ = node_.subscribe("scan", 5000, &ModelerNode::on_scan, this);
-  line_timer_ = node_.createWallTimer(ros::WallDuration(0.02),
-                                      [this](const ros::WallTimerEvent&) { take_lines(); });
+  line_timer_ = node_.createWallTimer(ros::WallDuration(0.02), [this](const ros::WallTimerEvent&) {
+    take_lines();
+    make_maps_if_wanted();
+  });
   report_timer_ = node_.createWallTimer(ros::WallDuration(1.0),
                                         [this](const ros::WallTimerEvent&) { report(); });
 }
@@ -142,6 +153,13 @@ void ModelerNode::take_lines() {
     keeper_.add(*line);
     turns_.add(line->beams.stamp, line->poses.T_odom_base_first);
   }
+}
+
+/// Gives a copy of the model to the thread that makes maps, if somebody asks for one.
+void ModelerNode::make_maps_if_wanted() {
+  const Modeler& modeler = keeper_.modeler();
+  if (!maps_.wants_model(keeper_.version(), modeler.statistics().revision)) return;
+  maps_.give(modeler, keeper_.planes());
 }
 
 void ModelerNode::on_corrected_trajectory(const nav_msgs::Path& path) {

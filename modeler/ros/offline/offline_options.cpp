@@ -46,6 +46,9 @@ std::variant<OfflineOptions, int> parse_offline_options(int argc, const char* co
   add_bag_options(app, options.bag, tf_drop_frames);
   app.add_flag("--figure", options.with_figure,
                "draw model_views.png: the model from above and from the side");
+  app.add_flag("--maps", options.with_maps,
+               "write map.pgm and map.yaml for map_server, and map.bt, an OctoMap of free and "
+               "occupied space");
   try {
     app.parse(argc, argv);
     if (!options.base_scan.empty() && !options.estimates_trajectory()) {

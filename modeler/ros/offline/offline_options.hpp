@@ -24,6 +24,7 @@ struct OfflineOptions {
   std::filesystem::path load;    ///< model file to go on from; empty: none
   std::filesystem::path output = "results/offline";  ///< folder for the results
   bool with_figure = false;                          ///< also draws model_views.png
+  bool with_maps = false;                            ///< also writes the maps for robots
   BagOptions bag;                                    ///< topic, frames and times
 
   /// Returns whether the trajectory is estimated from odometry and planes.

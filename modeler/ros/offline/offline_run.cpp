@@ -13,6 +13,8 @@
 #include "modeler/io/save.hpp"
 #include "modeler/io/tum.hpp"
 #include "modeler/model_file/model_file.hpp"
+#include "modeler/map_files/map_files.hpp"
+#include "modeler/observations/observations.hpp"
 #include "modeler/program/figure.hpp"
 #include "modeler/program/installed_files.hpp"
 #include "modeler/ros/bag_check/number_text.hpp"
@@ -164,6 +166,12 @@ std::vector<Plane> with_outlines(std::vector<Plane> planes, const SurfaceConfig&
   return planes;
 }
 
+ModelMaps maps_of(ModelKeeper& keeper, const MapsConfig& config) {
+  const std::vector<Plane>& planes = keeper.planes();
+  const PosedObservations observations = keeper.modeler().observations().posed();
+  return make_maps(planes, sight_lines_of(observations, planes, config, origin_of(planes)), config);
+}
+
 void describe(const ModelKeeper& keeper, const ModelerConfig& config, OfflineRun& run) {
   OfflineSummary& s = run.summary;
   s.lines = keeper.log().lines();
@@ -230,6 +238,7 @@ OfflineRun model_bags(const OfflineOptions& options, const ProgressCallback& pro
   run.frame = options.bag.intake.frames.map;
   run.trajectory = keeper.modeler().trajectory();
   run.model_file = keeper.file_bytes(run.frame);
+  if (options.with_maps) run.maps = maps_of(keeper, config.maps);
   describe(keeper, config, run);
   return run;
 }
@@ -248,6 +257,7 @@ void write_model(const OfflineRun& run, const std::filesystem::path& directory, 
   files.add(std::string("model") + kModelFileEnding, run.model_file);
   files.add("summary.json", summary_to_json(run.summary, label.run));
   add_model(run.planes_after, label, "planes_after", run.stripe_gap_m, files);
+  if (run.maps) add_maps(*run.maps, label, "map", files);
   if (with_figure) draw_figure(Figure::model_views, files.folder(), directory);
   files.commit();
 }

@@ -2,10 +2,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "modeler/chain/matrix6.hpp"
+#include "modeler/maps/model_maps.hpp"
 #include "modeler/program/progress.hpp"
 #include "modeler/ros/offline/offline_options.hpp"
 #include "modeler/ros/offline/offline_summary.hpp"
@@ -24,6 +26,7 @@ struct OfflineRun {
   std::vector<StampedPose> trajectory;                 ///< acquisition poses of the final model
   std::string model_file;                              ///< bytes of a model file
   std::vector<Matrix6> covariances;                    ///< of an estimate, by pose of `trajectory`
+  std::optional<ModelMaps> maps;                       ///< of the final model, if asked for
 };
 
 /// Models the bags and evaluates the model with the final poses. Throws std::runtime_error or

@@ -1,0 +1,123 @@
+// SPDX-FileCopyrightText: 2026 ribbon_mapper authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <optional>
+
+#include "eval/experiment/run.hpp"
+#include "eval/experiment/scan_conversion.hpp"
+#include "modeler/maps/model_maps.hpp"
+#include "modeler/modeler.hpp"
+#include "modeler/observations/observations.hpp"
+
+namespace ribbon_mapper::eval {
+namespace {
+
+constexpr const char* kBefore = "test/data/moved/before.sdf";
+constexpr const char* kAfter = "test/data/moved/after.sdf";
+
+/// A tour in two laps: somebody moves a cupboard and a chair and opens a door between them.
+class MovedThings : public testing::TestWithParam<int> {
+ protected:
+  void SetUp() override {
+    run_.world = kBefore;
+    run_.seed = static_cast<std::uint64_t>(GetParam());
+    const sim::World before = load_world(run_), after = load_world(after_run());
+    const sim::Route route = load_route(run_);
+    const sim::Tour first(before, route, tour_config(run_)),
+        second(after, route, tour_config(run_));
+    all_ = modelled(first, second, 0);
+    modeler_.emplace(modelled(first, second, 3));
+  }
+
+  RunOptions after_run() const {
+    RunOptions run = run_;
+    run.world = kAfter;
+    return run;
+  }
+
+  /// Returns the corrected model of both laps.
+  Modeler modelled(const sim::Tour& first, const sim::Tour& second, int passed_lines) const {
+    ModelerConfig config = modeler_config(run_);
+    config.assembly.passed_lines = passed_lines;
+    Modeler modeler(config);
+    std::vector<StampedPose> poses;
+    for (std::size_t i = 0; i < first.line_count(); ++i) {
+      const sim::Scan scan = (i < first.line_count() / 2 ? first : second).scan(i);
+      const LaserBeams beams = beams_of(scan);
+      modeler.add_scan_line(beams, noisy_poses(first, beams));
+      poses.push_back({middle_of(beams), first.true_T_map_base(middle_of(beams))});
+    }
+    modeler.correct(poses);
+    return modeler;
+  }
+
+  RunOptions run_;
+  std::optional<Modeler> all_, modeler_;
+};
+
+/// Returns the area of planes like n . p + d = 0.
+double area_m2(const std::vector<Plane>& planes, const Eigen::Vector3d& normal, double d_m) {
+  double sum_m2 = 0.0;
+  for (const Plane& plane : planes) {
+    if (plane.normal.dot(normal) > 0.99 && std::abs(plane.d_m - d_m) < 0.05) {
+      sum_m2 += plane.area_m2;
+    }
+  }
+  return sum_m2;
+}
+
+TEST_P(MovedThings, PlanesAreThoseOfTheEnd) {
+  const std::vector<Plane> all = all_->planes(), planes = modeler_->planes();
+  const Eigen::Vector3d x = Eigen::Vector3d::UnitX(), y = Eigen::Vector3d::UnitY();
+  EXPECT_GT(area_m2(all, -y, 2.45), 2.0) << "the cupboard was never seen";
+  EXPECT_EQ(area_m2(planes, -y, 2.45), 0.0) << "the front of the cupboard where it was";
+  EXPECT_EQ(area_m2(planes, x, 2.4), 0.0) << "its side";
+  EXPECT_GT(area_m2(planes, x, 5.35), 2.0) << "the front of the cupboard where it is";
+  EXPECT_GT(area_m2(planes, -y, 0.5), 1.5) << "the open leaf";
+  EXPECT_GT(area_m2(all, -x, 1.9) - area_m2(planes, -x, 1.9), 1.2) << "the closed leaf";
+}
+
+TEST_P(MovedThings, NothingStaticIsLost) {
+  const std::vector<Plane> planes = modeler_->planes();
+  for (const Plane& plane : all_->planes()) {
+    const bool has_moved = area_m2({plane}, -Eigen::Vector3d::UnitY(), 2.45) > 0.0 ||
+                           area_m2({plane}, Eigen::Vector3d::UnitX(), 2.4) > 0.0 ||
+                           area_m2({plane}, -Eigen::Vector3d::UnitX(), 1.9) > 0.0;
+    if (has_moved) continue;
+    EXPECT_EQ(area_m2(planes, plane.normal, plane.d_m),
+              area_m2(all_->planes(), plane.normal, plane.d_m))
+        << plane.normal.transpose() << " at " << plane.centroid.transpose();
+  }
+}
+
+TEST_P(MovedThings, TheLevelMapIsThatOfTheEnd) {
+  const std::vector<Plane> planes = modeler_->planes();
+  const MapsConfig config;
+  const NavigationMap map =
+      make_maps(planes, sight_lines_of(modeler_->observations().posed(), planes, config), config)
+          .level;
+  const auto occupied_near = [&](double x, double y) {
+    int count = 0;
+    for (std::size_t i = 0; i < map.cells.size(); ++i) {
+      const double dx =
+          map.corner_m.x() + map.cell_m * (static_cast<double>(i % map.width) + 0.5) - x;
+      const double dy =
+          map.corner_m.y() + map.cell_m * (static_cast<double>(i / map.width) + 0.5) - y;
+      if (std::max(std::abs(dx), std::abs(dy)) < 0.2 && map.cells[i] == NavigationMap::kOccupied) {
+        ++count;
+      }
+    }
+    return count;
+  };
+  EXPECT_LE(occupied_near(-0.5, -2.2), 1) << "the chair where it was";
+  EXPECT_GE(occupied_near(-2.5, -2.2), 10) << "the chair where it is";
+  EXPECT_EQ(occupied_near(-3.0, 2.4), 0) << "the cupboard where it was";
+  EXPECT_GE(occupied_near(-5.4, -1.0), 8) << "the cupboard where it is";
+}
+
+INSTANTIATE_TEST_SUITE_P(Seeds, MovedThings, testing::Range(1, 4));
+
+}  // namespace
+}  // namespace ribbon_mapper::eval
