@@ -21,6 +21,7 @@ _CORE = {
     "association": ["geometry", "ribbon", "observations"],
     "surface": ["geometry", "polygon", "ribbon", "observations", "association"],
     "assembly": ["geometry", "polygon", "ribbon", "observations", "association", "surface"],
+    "semantics": ["geometry", "polygon", "surface"],
     "chain": ["geometry"],
     "registration": ["geometry", "ribbon", "trajectory", "observations", "association", "chain"],
 }

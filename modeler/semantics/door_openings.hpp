@@ -1,0 +1,28 @@
+// SPDX-FileCopyrightText: 2026 ribbon_mapper authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <Eigen/Core>
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+#include "modeler/semantics/scene.hpp"
+
+namespace ribbon_mapper {
+
+/// An opening in a wall through which the floor goes on, as wide as a door.
+struct DoorOpening {
+  std::int64_t plane = 0;  ///< id of the wall, of the first one if it is between two
+  /// Its two edges on the wall at the height of the floor, in map [m].
+  Eigen::Vector3d jambs[2] = {Eigen::Vector3d::Zero(), Eigen::Vector3d::Zero()};
+  double sill_m = 0.0;           ///< height of the floor in it
+  std::optional<double> head_m;  ///< height of the lintel; nothing if none was seen
+  double confidence = 0.0;       ///< as Decision::confidence
+};
+
+/// Returns the door openings in the walls of a scene, for each wall from one end of it to the
+/// other. Walls in one plane that are less than a door apart are one wall.
+std::vector<DoorOpening> door_openings_in(const std::vector<bool>& is_wall, const Scene& scene);
+
+}  // namespace ribbon_mapper

@@ -1,0 +1,33 @@
+// SPDX-FileCopyrightText: 2026 ribbon_mapper authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <array>
+#include <optional>
+#include <string>
+
+namespace ribbon_mapper {
+
+/// What a plane is.
+enum class Label {
+  floor,      ///< what the robot drives on, level
+  ceiling,    ///< level, seen from below, over people's heads
+  wall,       ///< upright, from the floor to the ceiling or higher than a door
+  door_leaf,  ///< upright, of the size of a door, hinged at a door opening
+  top,        ///< level, seen from above, above the floor: of a table, shelf, seat, bed or podium
+  furniture,  ///< all else
+  slope       ///< tilted: a ramp, or a roof over people's heads
+};
+
+/// All labels.
+constexpr std::array<Label, 7> kLabels{Label::floor,     Label::ceiling, Label::wall,
+                                       Label::door_leaf, Label::top,     Label::furniture,
+                                       Label::slope};
+
+/// Returns the text of a label, as files and messages have it: "table or shelf top", for example.
+std::string to_string(Label label);
+
+/// Returns the label with this text; nothing if there is none.
+std::optional<Label> label_from(const std::string& text);
+
+}  // namespace ribbon_mapper
