@@ -60,6 +60,7 @@ struct Group {
     for (const HitCell& cell : patch) {
       plane.cells.push_back(centre(cell));
       plane.cell_numbers.push_back(cell.number);
+      plane.cell_faces.push_back(cell.face);
       faces.insert(cell.face);
     }
     plane.faces.assign(faces.begin(), faces.end());

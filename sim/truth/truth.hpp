@@ -24,7 +24,8 @@ struct TruthPlane {
   Eigen::Vector3d axis_u = Eigen::Vector3d::UnitX();  ///< direction of the cells' rows
   std::vector<Eigen::Vector3d> cells;  ///< centres of the hit cells, in map, on the plane
   std::vector<int> cell_numbers;       ///< of the cells, as TruthCollector::add() returns them
-  std::vector<int> faces;              ///< indices into World::faces()
+  std::vector<int> cell_faces;         ///< of the cells: indices into World::faces()
+  std::vector<int> faces;              ///< all of these, once each
 };
 
 /// Collects where the beams of a tour truly hit the world.
