@@ -9,6 +9,7 @@
 #include "eval/metrics/statistics.hpp"
 #include "eval/results/world_outlines.hpp"
 #include "eval/segmentation/point_truth.hpp"
+#include "eval/semantics/true_labels.hpp"
 #include "modeler/modeler.hpp"
 #include "modeler/program/stopwatch.hpp"
 #include "sim/truth/truth.hpp"
@@ -75,6 +76,17 @@ PointMetrics point_metrics(const PointTruth& truth, const Modeler& modeler,
   return {segcomp(of_ribbons), evops(of_ribbons), duplication(of_ribbons), segcomp(all)};
 }
 
+/// Labels the final planes, and compares them with the truth if the world says what its shapes are.
+void label(Results& results, const sim::World& world, const Truth& truth) {
+  const std::vector<Plane>& planes = results.models.corrected;
+  const Semantics semantics = semantics_of(planes, positions_of(results.trajectory_after));
+  results.labels = plane_labels(planes, semantics, {});
+  const std::vector<LabelledCell> cells = labelled_cells(world, truth.collector.cells());
+  if (!cells.empty()) {
+    results.summary.labels = label_confusion(planes, semantics.labels, cells);
+  }
+}
+
 Summary summary_of(const LineLog& log, const sim::Tour& tour, const Modeler& modeler) {
   Summary summary;
   summary.lines = log.line_s.size();
@@ -118,6 +130,7 @@ Results run_experiment(const sim::World& world, const sim::Route& route,
   results.models.corrected = modeler.planes();
   results.trajectory_after = modeler.trajectory();
   evaluate(results);
+  label(results, world, truth);
   results.summary.points = for_each_model(results.models, [&](const std::vector<Plane>& planes) {
     return point_metrics(truth.points, modeler, planes);
   });

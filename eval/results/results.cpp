@@ -94,7 +94,8 @@ FileSet staged_results(const Results& results, const std::filesystem::path& dire
   }
   files.add("trajectory_truth.tum", to_tum(results.trajectory_truth, label.run));
   files.add("figure.json", figure_data(results, label.run));
-  add_model(results.models.corrected, label, "planes_after", SurfaceConfig{}.stripe_gap_m, files);
+  add_model(results.models.corrected, label, "planes_after", SurfaceConfig{}.stripe_gap_m, files,
+            results.labels);
   return files;
 }
 

@@ -9,6 +9,7 @@
 #include "eval/metrics/patch.hpp"
 #include "eval/results/summary.hpp"
 #include "modeler/geometry/pose.hpp"
+#include "modeler/semantics/plane_label.hpp"
 #include "modeler/storage/file_set.hpp"
 #include "modeler/surface/plane.hpp"
 
@@ -19,9 +20,10 @@ using FourModels = PerModel<std::vector<Plane>>;
 
 /// Everything that is kept of one run.
 struct Results {
-  Summary summary;           ///< metrics and times
-  FourModels models;         ///< before and after the correction, as built and final
-  std::vector<Patch> truth;  ///< the true planes
+  Summary summary;                 ///< metrics and times
+  FourModels models;               ///< before and after the correction, as built and final
+  std::vector<PlaneLabel> labels;  ///< of the corrected, final planes; empty: none are written
+  std::vector<Patch> truth;        ///< the true planes
   /// Acquisition poses of the lines before the correction.
   std::vector<StampedPose> trajectory_before;
   /// Acquisition poses of the lines after the correction.

@@ -9,6 +9,8 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
+constexpr auto kReplace = Json::error_handler_t::replace;  // of bytes that are no UTF-8
+
 Json to_json(const Eigen::Vector3d& v) { return {v.x(), v.y(), v.z()}; }
 
 Json to_json(const std::vector<Eigen::Vector3d>& points) {
@@ -41,6 +43,12 @@ Json to_json(const Plane& plane) {
           {"outlines", to_json(plane.outlines)}};
 }
 
+Json to_json(const PlaneLabel& label) {
+  Json json{{"label", label.text}, {"label_confidence", label.confidence}};
+  if (!label.note.empty()) json["note"] = label.note;
+  return json;
+}
+
 void extend_by_cell(Eigen::AlignedBox3d& box, const Plane& plane, const PlaneCell& cell) {
   for (const int u : {cell.u, cell.u + 1}) {
     for (const int v : {cell.v, cell.v + 1}) box.extend(grid_corner(plane, u, v));
@@ -59,16 +67,18 @@ Eigen::AlignedBox3d bounding_box(const Plane& plane) {
   return box;
 }
 
-std::string planes_to_json(const std::vector<Plane>& planes, const ModelLabel& label) {
-  constexpr auto kReplace = Json::error_handler_t::replace;  // of bytes that are no UTF-8
+std::string planes_to_json(const std::vector<Plane>& planes, const ModelLabel& label,
+                           const std::vector<PlaneLabel>& labels) {
   std::string text =
       "{\n\"frame\": " + Json(label.frame).dump(-1, ' ', false, kReplace) + ",\n\"unit\": \"m\",\n";
   if (!label.run.empty()) text += "\"run\": \"" + label.run + "\",\n";
   if (!label.origin.isZero(0.0)) text += "\"origin\": " + to_json(label.origin).dump() + ",\n";
   text += "\"planes\": [";
   const char* separator = "\n";
-  for (const Plane& plane : planes) {
-    text += separator + to_json(plane).dump();
+  for (std::size_t i = 0; i < planes.size(); ++i) {
+    Json json = to_json(planes[i]);
+    if (i < labels.size()) json.update(to_json(labels[i]));
+    text += separator + json.dump(-1, ' ', false, kReplace);
     separator = ",\n";
   }
   return text + "\n]\n}\n";

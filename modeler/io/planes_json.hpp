@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "modeler/io/model_label.hpp"
+#include "modeler/semantics/plane_label.hpp"
 #include "modeler/surface/plane.hpp"
 
 namespace ribbon_mapper {
@@ -24,6 +25,10 @@ Eigen::AlignedBox3d bounding_box(const Plane& plane);
 /// Metres; n.p + d = 0 with n towards the observed side. Numbers have all digits of a double, so
 /// that ModelLabel::origin is not subtracted: it is stated for the other files of the model. The
 /// bytes are reproducible.
-std::string planes_to_json(const std::vector<Plane>& planes, const ModelLabel& label = {});
+///
+/// With `labels`, one for each plane, planes have "label", "label_confidence" and, where a person
+/// has left one, "note".
+std::string planes_to_json(const std::vector<Plane>& planes, const ModelLabel& label = {},
+                           const std::vector<PlaneLabel>& labels = {});
 
 }  // namespace ribbon_mapper

@@ -98,4 +98,10 @@ Semantics semantics_of(const std::vector<Plane>& planes, const std::vector<Eigen
   return semantics;
 }
 
+std::vector<Eigen::Vector3d> positions_of(const std::vector<StampedPose>& trajectory) {
+  std::vector<Eigen::Vector3d> positions;
+  for (const StampedPose& pose : trajectory) positions.push_back(pose.T_map_base.translation());
+  return positions;
+}
+
 }  // namespace ribbon_mapper

@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "modeler/geometry/pose.hpp"
 #include "modeler/semantics/decision.hpp"
 #include "modeler/semantics/door_openings.hpp"
 #include "modeler/semantics/label_config.hpp"
@@ -26,5 +27,8 @@ struct Semantics {
 /// none. The planes need their cells: one without cells is furniture with confidence 0.
 Semantics semantics_of(const std::vector<Plane>& planes, const std::vector<Eigen::Vector3d>& driven,
                        const LabelConfig& config = {});
+
+/// Returns the positions of a trajectory of the robot's footprint.
+std::vector<Eigen::Vector3d> positions_of(const std::vector<StampedPose>& trajectory);
 
 }  // namespace ribbon_mapper

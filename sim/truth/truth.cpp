@@ -60,7 +60,6 @@ struct Group {
     for (const HitCell& cell : patch) {
       plane.cells.push_back(centre(cell));
       plane.cell_numbers.push_back(cell.number);
-      plane.cell_faces.push_back(cell.face);
       faces.insert(cell.face);
     }
     plane.faces.assign(faces.begin(), faces.end());
@@ -132,6 +131,16 @@ std::vector<int> TruthCollector::add(const Scan& scan) {
 
 std::vector<TruthPlane> TruthCollector::planes(double min_area_m2) const {
   return state_->planes(min_area_m2);
+}
+
+std::vector<TruthCell> TruthCollector::cells() const {
+  std::vector<TruthCell> cells;
+  for (const Group& group : state_->groups) {
+    for (const HitCell& hit : group.hits.cells()) {
+      cells.push_back({group.centre(hit), group.normal, hit.face});
+    }
+  }
+  return cells;
 }
 
 }  // namespace ribbon_mapper::sim

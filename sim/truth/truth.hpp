@@ -24,8 +24,14 @@ struct TruthPlane {
   Eigen::Vector3d axis_u = Eigen::Vector3d::UnitX();  ///< direction of the cells' rows
   std::vector<Eigen::Vector3d> cells;  ///< centres of the hit cells, in map, on the plane
   std::vector<int> cell_numbers;       ///< of the cells, as TruthCollector::add() returns them
-  std::vector<int> cell_faces;         ///< of the cells: indices into World::faces()
-  std::vector<int> faces;              ///< all of these, once each
+  std::vector<int> faces;              ///< indices into World::faces()
+};
+
+/// A cell of 5 cm of the world's planar faces that beams hit.
+struct TruthCell {
+  Eigen::Vector3d centre = Eigen::Vector3d::Zero();   ///< in map, on the face
+  Eigen::Vector3d normal = Eigen::Vector3d::UnitZ();  ///< towards the laser
+  int face = 0;                                       ///< index into World::faces()
 };
 
 /// Collects where the beams of a tour truly hit the world.
@@ -46,6 +52,9 @@ class TruthCollector {
   /// Returns the planes seen so far, largest first. A smaller `min_area_m2` returns small patches,
   /// too.
   std::vector<TruthPlane> planes(double min_area_m2 = 0.5) const;
+
+  /// Returns all cells that were hit, also of faces too small for a plane, in no particular order.
+  std::vector<TruthCell> cells() const;
 
  private:
   struct State;

@@ -23,6 +23,7 @@ void ModelKeeper::add(const ReadyLine& line) {
 }
 
 void ModelKeeper::correct(const std::vector<StampedPose>& trajectory) {
+  labels();  // notes where annotated planes are
   Before before{modeler_.planes_as_built(), modeler_.planes(), modeler_.trajectory()};
   correction_ms_ = 1e3 * wall_seconds_of([&] { modeler_.correct(trajectory); });
   before_ = std::move(before);
@@ -33,6 +34,7 @@ void ModelKeeper::reset() {
   modeler_.reset();
   log_ = {};
   before_ = {};
+  annotations_ = {};
   correction_ms_ = data_s_ = 0.0;
   last_stamp_ = Time(0);
   ++version_;
@@ -42,6 +44,20 @@ const std::vector<Plane>& ModelKeeper::planes() {
   if (planes_version_ != version_) planes_ = modeler_.planes();
   planes_version_ = version_;
   return planes_;
+}
+
+const std::vector<PlaneLabel>& ModelKeeper::labels() {
+  if (labels_version_ == version_) return labels_;
+  const std::vector<const Annotation*> annotations = annotations_.of(planes());
+  const Semantics semantics = semantics_of(planes_, positions_of(modeler_.trajectory()));
+  labels_ = plane_labels(planes_, semantics, annotations);
+  labels_version_ = version_;
+  return labels_;
+}
+
+void ModelKeeper::annotate(std::int64_t id, const std::string& label, const std::string& note) {
+  annotations_.set(id, label, note, planes());
+  ++version_;
 }
 
 double ModelKeeper::real_time_factor() const {

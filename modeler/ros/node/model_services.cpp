@@ -3,6 +3,7 @@
 #include "modeler/ros/node/model_services.hpp"
 
 #include <exception>
+#include <stdexcept>
 
 #include "modeler/io/save.hpp"
 #include "modeler/ros/messages/plane_messages.hpp"
@@ -37,8 +38,10 @@ GetModel::Response model_response(const GetModel::Request& request, ModelKeeper&
   std_msgs::Header header;
   header.frame_id = map_frame;
   header.stamp = ros::Time::now();
-  response.planes = plane_array_message(planes_asked_for(request, keeper), header,
-                                        statistics.revision, request.cells);
+  const bool is_final = request.which == GetModel::Request::CURRENT && !request.as_built;
+  response.planes =
+      plane_array_message(planes_asked_for(request, keeper), header, statistics.revision,
+                          request.cells, is_final ? keeper.labels() : std::vector<PlaneLabel>());
   response.message = std::to_string(response.planes.planes.size()) + " planes";
   response.lines = keeper.log().lines();
   response.dropped_lines = keeper.log().dropped_lines();
@@ -56,10 +59,23 @@ Save::Response save_response(const std::string& name, ModelKeeper& keeper,
     const std::vector<Plane>& planes = keeper.planes();
     response.message = std::to_string(planes.size()) + " planes written to";
     for (const std::filesystem::path& file :
-         save_model(planes, directory, name, keeper.stripe_gap_m(), frame))
+         save_model(planes, directory, name, keeper.stripe_gap_m(), frame, keeper.labels()))
       response.message += " " + file.string();
     response.success = true;
   } catch (const std::exception& error) {
+    response.message = error.what();
+  }
+  return response;
+}
+
+Annotate::Response annotate_response(const Annotate::Request& request, ModelKeeper& keeper) {
+  Annotate::Response response;
+  try {
+    keeper.annotate(request.id, request.label, request.note);
+    response.success = true;
+    response.message = "plane " + std::to_string(request.id) +
+                       (request.label.empty() ? ": annotation removed" : ": " + request.label);
+  } catch (const std::invalid_argument& error) {
     response.message = error.what();
   }
   return response;

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <ribbon_mapper/Annotate.h>
 #include <ribbon_mapper/GetModel.h>
 #include <ribbon_mapper/Save.h>
 
@@ -21,5 +22,8 @@ GetModel::Response model_response(const GetModel::Request& request, ModelKeeper&
 /// part of the answer.
 Save::Response save_response(const std::string& name, ModelKeeper& keeper,
                              const std::filesystem::path& directory, const std::string& frame);
+
+/// Annotates a plane and returns the answer to ~annotate. Errors are part of the answer.
+Annotate::Response annotate_response(const Annotate::Request& request, ModelKeeper& keeper);
 
 }  // namespace ribbon_mapper

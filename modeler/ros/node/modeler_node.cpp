@@ -57,6 +57,7 @@ class ModelerNode {
   bool on_reset(std_srvs::Trigger::Request&, std_srvs::Trigger::Response& response);
   bool on_save(Save::Request& request, Save::Response& response);
   bool on_get_model(GetModel::Request& request, GetModel::Response& response);
+  bool on_annotate(Annotate::Request& request, Annotate::Response& response);
   void check_clock();
   void on_time_jump();
   void empty_model();
@@ -75,7 +76,7 @@ class ModelerNode {
   ModelPublisher publisher_;
   LineReport line_report_;
   ModelerDiagnostics diagnostics_;
-  ros::ServiceServer reset_, save_, get_model_;
+  ros::ServiceServer reset_, save_, get_model_, annotate_;
   ros::Subscriber corrected_trajectory_, scan_;
   ros::WallTimer line_timer_, report_timer_;
   BarrenLines barren_lines_;
@@ -97,6 +98,7 @@ ModelerNode::ModelerNode(const ModelerParameters& parameters)
   reset_ = private_node_.advertiseService("reset", &ModelerNode::on_reset, this);
   save_ = private_node_.advertiseService("save", &ModelerNode::on_save, this);
   get_model_ = private_node_.advertiseService("get_model", &ModelerNode::on_get_model, this);
+  annotate_ = private_node_.advertiseService("annotate", &ModelerNode::on_annotate, this);
   corrected_trajectory_ =
       node_.subscribe("corrected_trajectory", 2, &ModelerNode::on_corrected_trajectory, this);
   // Subscribed last, so that everything is ready for the first line. The queue is long, so that no
@@ -163,6 +165,13 @@ bool ModelerNode::on_save(Save::Request& request, Save::Response& response) {
 bool ModelerNode::on_get_model(GetModel::Request& request, GetModel::Response& response) {
   take_lines();
   response = model_response(request, keeper_, parameters_.lines.options.frames.map);
+  return true;
+}
+
+bool ModelerNode::on_annotate(Annotate::Request& request, Annotate::Response& response) {
+  take_lines();
+  response = annotate_response(request, keeper_);
+  if (!response.success) ROS_ERROR("Not annotated: %s", response.message.c_str());
   return true;
 }
 
