@@ -120,13 +120,13 @@ std::optional<DoorOpening> opening_of(const WallColumns& wall, std::size_t begin
   }
   const bool has_head = 2 * lintels.size() >= end - begin;
   const double through = static_cast<double>(passable) / static_cast<double>(end - begin);
-  if (through < kThroughShare) return {};
   if (!has_head && !wall.is_driven_through(begin, end)) return {};
   DoorOpening opening;
   opening.plane = wall.plane().id;
   opening.jambs[0] = wall.place(static_cast<double>(begin) - 0.5);
   opening.jambs[1] = wall.place(static_cast<double>(end) + 0.5);
   opening.sill_m = wall.floor_m();
+  opening.is_passable = through >= kThroughShare;
   if (has_head) opening.head_m = value_at(lintels, 0.5);
   opening.confidence =
       std::min({certainty(width_m - config.least_door_width_m, config.size_sigma_m),

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "modeler/semantics/scene.hpp"
 #include "modeler/semantics/upright_rules.hpp"
@@ -72,12 +73,20 @@ void find_doors(const Scene& scene, Semantics& semantics) {
     is_wall.push_back(decision.label == Label::wall);
   }
   semantics.openings = door_openings_in(is_wall, scene);
+  std::vector<bool> has_leaf(semantics.openings.size());
   for (std::size_t i = 0; i < scene.planes().size(); ++i) {
     Decision& decision = semantics.labels[i];
     if (scene.shape(i).columns.empty() || decision.label == Label::wall) continue;
-    if (is_door_leaf(i, semantics.openings, scene)) decision.label = Label::door_leaf;
+    const std::vector<std::size_t> hung = openings_of_leaf(i, semantics.openings, scene);
+    for (const std::size_t opening : hung) has_leaf[opening] = true;
+    if (!hung.empty()) decision.label = Label::door_leaf;
     if (is_reveal(i, semantics.openings, scene)) decision.label = Label::wall;
   }
+  std::vector<DoorOpening> doors;
+  for (std::size_t i = 0; i < has_leaf.size(); ++i) {
+    if (semantics.openings[i].is_passable || has_leaf[i]) doors.push_back(semantics.openings[i]);
+  }
+  semantics.openings = std::move(doors);
 }
 
 }  // namespace

@@ -17,7 +17,7 @@ namespace ribbon_mapper {
 /// What the planes of a model are.
 struct Semantics {
   std::vector<Decision> labels;       ///< of the planes, in their order
-  std::vector<DoorOpening> openings;  ///< in walls, in the order of the planes
+  std::vector<DoorOpening> openings;  ///< in walls: those that are passable or have a leaf
 };
 
 /// Labels the planes of a model by rules about their shape and place; docs/labels.md lists the

@@ -12,6 +12,7 @@ namespace {
 constexpr double kReachingShare = 0.1;  // of a wall's columns that are seen up to the ceiling
 constexpr double kBackedShare = 0.5;
 constexpr double kFilledShare = 0.6;    // of the rectangle around a leaf
+constexpr double kCoveredShare = 0.7;   // of an opening by a leaf that is nearly closed
 constexpr double kAcrossCosine = 0.17;  // within 10 degrees of a right angle
 
 /// Returns the distance of a column from the nearer jamb of an opening [m].
@@ -32,6 +33,13 @@ std::optional<double> gap_above_m(const PlaneShape& shape, const Scene& scene, d
   }
   if (gaps_m.empty()) return std::nullopt;
   return value_at(gaps_m, kReachingShare);
+}
+
+/// Returns the width of a plane along an opening, as a share of the opening's.
+double share_covered(const PlaneShape& shape, const DoorOpening& opening) {
+  const Eigen::Vector2d across = (opening.jambs[1] - opening.jambs[0]).head<2>();
+  const double width_m = shape.end_m - shape.begin_m;
+  return width_m * std::abs(shape.along.dot(across.normalized())) / across.norm();
 }
 
 }  // namespace
@@ -60,20 +68,28 @@ Decision wall_or_furniture(std::size_t plane, const Scene& scene) {
                certainty(height_m - config.wall_height_m, sigma_m));
 }
 
-bool is_door_leaf(std::size_t plane, const std::vector<DoorOpening>& openings, const Scene& scene) {
+std::vector<std::size_t> openings_of_leaf(std::size_t plane,
+                                          const std::vector<DoorOpening>& openings,
+                                          const Scene& scene) {
   const LabelConfig& config = scene.config();
   const PlaneShape& shape = scene.shape(plane);
   const double width_m = shape.end_m - shape.begin_m;
   const double height_m = shape.highest_m - shape.lowest_m;
+  std::vector<std::size_t> hung;
   if (width_m < config.least_door_width_m || width_m > config.greatest_leaf_width_m ||
       height_m < config.least_leaf_height_m || height_m > config.greatest_leaf_height_m ||
       scene.planes()[plane].area_m2 < kFilledShare * width_m * height_m) {
-    return false;
+    return hung;
   }
-  return std::any_of(openings.begin(), openings.end(), [&](const DoorOpening& opening) {
-    return std::min(distance_m(shape.columns.front(), opening),
-                    distance_m(shape.columns.back(), opening)) <= config.hinge_gap_m;
-  });
+  for (std::size_t i = 0; i < openings.size(); ++i) {
+    // What hides a wall down to the floor has sides that begin where the wall is seen again.
+    if (!openings[i].is_passable && share_covered(shape, openings[i]) < kCoveredShare) continue;
+    if (std::min(distance_m(shape.columns.front(), openings[i]),
+                 distance_m(shape.columns.back(), openings[i])) <= config.hinge_gap_m) {
+      hung.push_back(i);
+    }
+  }
+  return hung;
 }
 
 bool is_reveal(std::size_t plane, const std::vector<DoorOpening>& openings, const Scene& scene) {
@@ -81,7 +97,7 @@ bool is_reveal(std::size_t plane, const std::vector<DoorOpening>& openings, cons
   const PlaneShape& shape = scene.shape(plane);
   return std::any_of(openings.begin(), openings.end(), [&](const DoorOpening& opening) {
     const Eigen::Vector2d along = (opening.jambs[1] - opening.jambs[0]).head<2>().normalized();
-    return std::abs(shape.along.dot(along)) <= kAcrossCosine &&
+    return opening.is_passable && std::abs(shape.along.dot(along)) <= kAcrossCosine &&
            distance_m(shape.columns.front(), opening) <= config.reveal_depth_m &&
            distance_m(shape.columns.back(), opening) <= config.reveal_depth_m &&
            shape.highest_m <= opening.head_m.value_or(shape.highest_m) + config.hinge_gap_m;

@@ -13,8 +13,11 @@ namespace ribbon_mapper {
 /// Decides whether an upright plane is a wall or furniture.
 Decision wall_or_furniture(std::size_t plane, const Scene& scene);
 
-/// Returns true if an upright plane has the size of a door leaf and an edge at a jamb.
-bool is_door_leaf(std::size_t plane, const std::vector<DoorOpening>& openings, const Scene& scene);
+/// Returns the openings at a jamb of which an upright plane hangs by an edge, if it has the size of
+/// a door leaf. They are indices: both sides of a wall have one.
+std::vector<std::size_t> openings_of_leaf(std::size_t plane,
+                                          const std::vector<DoorOpening>& openings,
+                                          const Scene& scene);
 
 /// Returns true if an upright plane is the inside of a door opening: across its wall, at a jamb, no
 /// deeper than a wall.

@@ -83,6 +83,26 @@ TEST(DoorOpenings, HoldTheLeafThatHangsInThem) {
   EXPECT_EQ(Label::furniture, semantics_of(planes, {}).labels.back().label);
 }
 
+TEST(DoorOpenings, AreClosedByALeafThatIsAjar) {
+  std::vector<Plane> planes = floor_through(0, 0.0);
+  planes.push_back(wall_with_gap(0.9));
+  EXPECT_EQ(0u, semantics_of(planes, {}).openings.size());
+  planes.push_back(rectangle({2.0, 5.0, 0}, {0.85, -0.15, 0}, {0, 0, 2.0}));
+  const Semantics semantics = semantics_of(planes, {});
+  EXPECT_EQ(Label::door_leaf, semantics.labels.back().label);
+  ASSERT_EQ(1u, semantics.openings.size());
+  EXPECT_FALSE(semantics.openings[0].is_passable);
+}
+
+TEST(DoorOpenings, AreNotBesideTheSidesOfACupboard) {
+  std::vector<Plane> planes = floor_through(0, 0.0);
+  planes.push_back(wall_with_gap(0.9));
+  planes.push_back(rectangle({2.0, 5.0, 0}, {0, -0.6, 0}, {0, 0, 2.0}));
+  const Semantics semantics = semantics_of(planes, {});
+  EXPECT_EQ(Label::furniture, semantics.labels.back().label);
+  EXPECT_EQ(0u, semantics.openings.size());
+}
+
 TEST(DoorOpenings, HaveRevealsThatBelongToTheWall) {
   std::vector<Plane> planes = floor_through(2, 0.9);
   planes.push_back(wall_with_gap(0.9));
