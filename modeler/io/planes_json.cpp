@@ -55,6 +55,31 @@ void extend_by_cell(Eigen::AlignedBox3d& box, const Plane& plane, const PlaneCel
   }
 }
 
+Json to_json(const Ring& ring) {
+  Json json = Json::array();
+  for (const Eigen::Vector2d& point : ring) json.push_back({point.x(), point.y()});
+  return json;
+}
+
+Json to_json(const Room& room) {
+  Json outlines = Json::array();
+  for (const Polygon& polygon : room.outlines) {
+    Json& rings = outlines.emplace_back(Json::array({to_json(polygon.outer)}));
+    for (const Ring& hole : polygon.holes) rings.push_back(to_json(hole));
+  }
+  return {{"area", room.area_m2}, {"centre", to_json(room.centre)}, {"outlines", outlines}};
+}
+
+Json to_json(const Passage& passage) {
+  const DoorOpening& opening = passage.opening;
+  return {{"rooms", passage.rooms},
+          {"plane", opening.plane},
+          {"jambs", {to_json(opening.jambs[0]), to_json(opening.jambs[1])}},
+          {"sill", opening.sill_m},
+          {"head", opening.head_m ? Json(*opening.head_m) : Json(nullptr)},
+          {"confidence", opening.confidence}};
+}
+
 }  // namespace
 
 Eigen::AlignedBox3d bounding_box(const Plane& plane) {
@@ -82,6 +107,16 @@ std::string planes_to_json(const std::vector<Plane>& planes, const ModelLabel& l
     separator = ",\n";
   }
   return text + "\n]\n}\n";
+}
+
+std::string rooms_to_json(const Rooms& rooms, const ModelLabel& label) {
+  Json json{{"frame", label.frame}, {"unit", "m"}};
+  if (!label.run.empty()) json["run"] = label.run;
+  json["rooms"] = Json::array();
+  for (const Room& room : rooms.rooms) json["rooms"].push_back(to_json(room));
+  json["passages"] = Json::array();
+  for (const Passage& passage : rooms.passages) json["passages"].push_back(to_json(passage));
+  return json.dump(-1, ' ', false, kReplace) + "\n";
 }
 
 }  // namespace ribbon_mapper

@@ -92,6 +92,16 @@ class WallColumns {
                                0.5 * static_cast<double>(end - begin) * plane_.cell_size_m);
   }
 
+  /// Returns true if the wall goes on for `least_m` on both sides of columns [begin, end).
+  bool is_flanked(std::size_t begin, std::size_t end, double least_m) const {
+    const auto least = static_cast<std::size_t>(std::ceil(least_m / plane_.cell_size_m));
+    if (begin < least || end + least > size()) return false;
+    for (std::size_t i = 1; i <= least; ++i) {
+      if (is_open(begin - i) || is_open(end + i - 1)) return false;
+    }
+    return true;
+  }
+
   double floor_m() const { return floor_m_; }
   const Plane& plane() const { return plane_; }
 
@@ -120,7 +130,8 @@ std::optional<DoorOpening> opening_of(const WallColumns& wall, std::size_t begin
   }
   const bool has_head = 2 * lintels.size() >= end - begin;
   const double through = static_cast<double>(passable) / static_cast<double>(end - begin);
-  if (!has_head && !wall.is_driven_through(begin, end)) return {};
+  const bool has_flanks = wall.is_flanked(begin, end, config.least_flank_m);
+  if (!has_head && !(has_flanks && wall.is_driven_through(begin, end))) return {};
   DoorOpening opening;
   opening.plane = wall.plane().id;
   opening.jambs[0] = wall.place(static_cast<double>(begin) - 0.5);

@@ -53,6 +53,10 @@ struct LabelConfig {
   /// Largest width of a door leaf [m]: the widest (DIN 18101: 1.11 m), and two cells.
   double greatest_leaf_width_m = 1.2;
 
+  /// Least width of a wall on both sides of a door opening whose lintel was not seen [m]. Two
+  /// pilasters on both sides of a corridor are narrower.
+  double least_flank_m = 0.4;
+
   /// Largest width of a door opening [m]: of two leaves.
   double greatest_door_width_m = 2.3;
 

@@ -6,7 +6,7 @@
 #include <optional>
 #include <vector>
 
-#include "modeler/semantics/decision.hpp"
+#include "modeler/semantics/label.hpp"
 #include "modeler/semantics/plane_shape.hpp"
 #include "modeler/semantics/top_view.hpp"
 

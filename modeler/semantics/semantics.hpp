@@ -7,8 +7,8 @@
 #include <vector>
 
 #include "modeler/geometry/pose.hpp"
-#include "modeler/semantics/decision.hpp"
 #include "modeler/semantics/door_openings.hpp"
+#include "modeler/semantics/label.hpp"
 #include "modeler/semantics/label_config.hpp"
 #include "modeler/surface/plane.hpp"
 

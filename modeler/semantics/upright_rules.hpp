@@ -4,8 +4,8 @@
 
 #include <vector>
 
-#include "modeler/semantics/decision.hpp"
 #include "modeler/semantics/door_openings.hpp"
+#include "modeler/semantics/label.hpp"
 #include "modeler/semantics/scene.hpp"
 
 namespace ribbon_mapper {
