@@ -22,7 +22,7 @@ if(NOT RIBBON_MAPPER_HAS_ROS)
 endif()
 
 add_message_files(DIRECTORY msg FILES BoundedPlane.msg PlaneArray.msg PlaneOutline.msg)
-add_service_files(DIRECTORY srv FILES GetModel.srv Load.srv Save.srv)
+add_service_files(DIRECTORY srv FILES Annotate.srv GetModel.srv Load.srv Save.srv)
 generate_messages(DEPENDENCIES geometry_msgs std_msgs)
 set(libraries ribbon_mapper_core)
 if(RIBBON_MAPPER_HAS_SIM)

@@ -9,6 +9,7 @@
 #include "eval/metrics/statistics.hpp"
 #include "eval/results/world_outlines.hpp"
 #include "eval/segmentation/point_truth.hpp"
+#include "eval/semantics/true_labels.hpp"
 #include "modeler/modeler.hpp"
 #include "modeler/program/stopwatch.hpp"
 #include "sim/truth/truth.hpp"
@@ -75,6 +76,19 @@ PointMetrics point_metrics(const PointTruth& truth, const Modeler& modeler,
   return {segcomp(of_ribbons), evops(of_ribbons), duplication(of_ribbons), segcomp(all)};
 }
 
+/// Compares planes with the truth, and their labels if the world says what its shapes are.
+void evaluate_planes(Results& results, const sim::World& world, const Truth& truth) {
+  evaluate(results);
+  const std::vector<Plane>& planes = results.models.corrected;
+  const Semantics semantics = semantics_of(planes, positions_of(results.trajectory_after));
+  results.labels = plane_labels(planes, semantics, {});
+  results.rooms = rooms_of(planes, semantics);
+  const std::vector<LabelledCell> cells = labelled_cells(world, truth.collector.cells());
+  if (!cells.empty()) {
+    results.summary.labels = label_confusion(planes, semantics.labels, cells);
+  }
+}
+
 Summary summary_of(const LineLog& log, const sim::Tour& tour, const Modeler& modeler) {
   Summary summary;
   summary.lines = log.line_s.size();
@@ -125,7 +139,7 @@ Results run_experiment(const sim::World& world, const sim::Route& route,
   results.models.corrected_as_built = modeler.planes_as_built();
   results.models.corrected = modeler.planes();
   results.trajectory_after = modeler.trajectory();
-  evaluate(results);
+  evaluate_planes(results, world, truth);
   results.summary.points = for_each_model(results.models, [&](const std::vector<Plane>& planes) {
     return point_metrics(truth.points, modeler, planes);
   });

@@ -93,8 +93,10 @@ FileSet staged_results(const Results& results, const std::filesystem::path& dire
               to_covariance_csv(results.trajectory_after, results.covariances_after, label.run));
   }
   files.add("trajectory_truth.tum", to_tum(results.trajectory_truth, label.run));
+  if (results.rooms) files.add("rooms.json", rooms_to_json(*results.rooms, label));
   files.add("figure.json", figure_data(results, label.run));
-  add_model(results.models.corrected, label, "planes_after", SurfaceConfig{}.stripe_gap_m, files);
+  add_model(results.models.corrected, label, "planes_after", SurfaceConfig{}.stripe_gap_m, files,
+            results.labels);
   return files;
 }
 

@@ -4,11 +4,14 @@
 
 #include <Eigen/Core>
 #include <filesystem>
+#include <optional>
 #include <vector>
 
 #include "eval/metrics/patch.hpp"
 #include "eval/results/summary.hpp"
 #include "modeler/geometry/pose.hpp"
+#include "modeler/semantics/plane_label.hpp"
+#include "modeler/semantics/rooms.hpp"
 #include "modeler/storage/file_set.hpp"
 #include "modeler/surface/plane.hpp"
 
@@ -19,9 +22,11 @@ using FourModels = PerModel<std::vector<Plane>>;
 
 /// Everything that is kept of one run.
 struct Results {
-  Summary summary;           ///< metrics and times
-  FourModels models;         ///< before and after the correction, as built and final
-  std::vector<Patch> truth;  ///< the true planes
+  Summary summary;                 ///< metrics and times
+  FourModels models;               ///< before and after the correction, as built and final
+  std::vector<PlaneLabel> labels;  ///< of the corrected, final planes; empty: none are written
+  std::optional<Rooms> rooms;      ///< of the same planes
+  std::vector<Patch> truth;        ///< the true planes
   /// Acquisition poses of the lines before the correction.
   std::vector<StampedPose> trajectory_before;
   /// Acquisition poses of the lines after the correction.
@@ -41,9 +46,9 @@ void evaluate(Results& results);
 /// needed, and returns the set to be committed. All files state the same run. They are
 /// summary.json, planes_before.json (noisy, as built), planes_noisy.json (noisy, final),
 /// planes_truth.json, planes_after.{json,ply,bt} with planes_after_cells.ply (corrected, final),
-/// trajectory_{before,after,truth}.tum, trajectory_covariance.csv (if there are covariances) and
-/// figure.json (for draw_figure()). Throws std::runtime_error with the file, the reason and a
-/// remedy.
+/// rooms.json (if there are rooms), trajectory_{before,after,truth}.tum, trajectory_covariance.csv
+/// (if there are covariances) and figure.json (for draw_figure()). Throws std::runtime_error with
+/// the file, the reason and a remedy.
 FileSet staged_results(const Results& results, const std::filesystem::path& directory);
 
 /// Writes the results as staged_results() and commits them.

@@ -10,6 +10,7 @@
 
 #include "eval/metrics/statistics.hpp"
 #include "eval/results/format.hpp"
+#include "eval/results/label_report.hpp"
 #include "modeler/program/version.hpp"
 
 namespace ribbon_mapper::eval {
@@ -128,6 +129,13 @@ nlohmann::ordered_json group_json(const std::vector<LoggedRun>& group) {
   return json;
 }
 
+/// Returns the matrix of labels over all runs, empty if none has one.
+std::string labels_foot(const std::vector<LoggedRun>& runs) {
+  LabelConfusion all;
+  for (const LoggedRun& logged : runs) all.add(label_confusion_of(logged.figures, "labels."));
+  return all.compared_m2() > 0.0 ? "\n" + label_table(all) : "";
+}
+
 }  // namespace
 
 std::string series_table_head(std::size_t label_width) {
@@ -157,7 +165,8 @@ std::string series_table_foot(const std::vector<LoggedRun>& runs, std::size_t la
     };
     foot += row("min", 0.0) + row("median", 0.5) + row("max", 1.0);
   }
-  return foot + "\n" + std::to_string(right_count(runs)) + " of " + std::to_string(runs.size()) +
+  return foot + labels_foot(runs) + "\n" + std::to_string(right_count(runs)) + " of " +
+         std::to_string(runs.size()) +
          " runs found every true plane once, and nothing else, after the correction\n";
 }
 

@@ -5,6 +5,7 @@
 #include <nlohmann/json.hpp>
 
 #include "eval/results/format.hpp"
+#include "eval/results/label_report.hpp"
 #include "modeler/program/version.hpp"
 
 namespace ribbon_mapper::eval {
@@ -189,6 +190,7 @@ Json figures_of(const Summary& s) {
                {"ribbon_distance_m", to_json(s.ribbon_distance_m)},
                {"end_drift_m", s.end_drift_m},
                {"end_drift_deg", s.end_drift_deg}});
+  json["labels"] = s.labels ? label_json(*s.labels) : Json(nullptr);
   if (s.estimate) json["estimate"] = to_json(*s.estimate);
   return json;
 }
@@ -227,6 +229,7 @@ std::string summary_table(const Summary& s) {
                 "offset mm") +
          table_rows(s.metrics) + format("%-32s %6zu\n", "truth", s.metrics.corrected.truth) +
          (s.points ? points_table(*s.points) : "") +
+         (s.labels ? "\n" + label_table(*s.labels) : "") +
          format(
              "\n%zu lines (%zu dropped), %zu ribbons, %.0f us per line, %.1f x real time; end "
              "drift "

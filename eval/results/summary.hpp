@@ -12,6 +12,7 @@
 #include "eval/results/four_models.hpp"
 #include "eval/results/trajectory_error.hpp"
 #include "eval/segmentation/point_metrics.hpp"
+#include "eval/semantics/label_confusion.hpp"
 #include "modeler/chain/pose_precision.hpp"
 
 namespace ribbon_mapper::eval {
@@ -44,6 +45,10 @@ struct Summary {
   FourMetrics metrics;            ///< by planes
   /// By points, against the face that each beam hit; empty over ROS, where beams have no labels.
   std::optional<PerModel<PointMetrics>> points;
+
+  /// Labels of the corrected, final planes; empty if the world does not say what its shapes are,
+  /// and over ROS.
+  std::optional<LabelConfusion> labels;
 
   std::optional<EstimateSummary> estimate;  ///< with RunOptions::closure `self`
 

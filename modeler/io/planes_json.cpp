@@ -9,6 +9,8 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
+constexpr auto kReplace = Json::error_handler_t::replace;  // of bytes that are no UTF-8
+
 Json to_json(const Eigen::Vector3d& v) { return {v.x(), v.y(), v.z()}; }
 
 Json to_json(const std::vector<Eigen::Vector3d>& points) {
@@ -41,10 +43,41 @@ Json to_json(const Plane& plane) {
           {"outlines", to_json(plane.outlines)}};
 }
 
+Json to_json(const PlaneLabel& label) {
+  Json json{{"label", label.text}, {"label_confidence", label.confidence}};
+  if (!label.note.empty()) json["note"] = label.note;
+  return json;
+}
+
 void extend_by_cell(Eigen::AlignedBox3d& box, const Plane& plane, const PlaneCell& cell) {
   for (const int u : {cell.u, cell.u + 1}) {
     for (const int v : {cell.v, cell.v + 1}) box.extend(grid_corner(plane, u, v));
   }
+}
+
+Json to_json(const Ring& ring) {
+  Json json = Json::array();
+  for (const Eigen::Vector2d& point : ring) json.push_back({point.x(), point.y()});
+  return json;
+}
+
+Json to_json(const Room& room) {
+  Json outlines = Json::array();
+  for (const Polygon& polygon : room.outlines) {
+    Json& rings = outlines.emplace_back(Json::array({to_json(polygon.outer)}));
+    for (const Ring& hole : polygon.holes) rings.push_back(to_json(hole));
+  }
+  return {{"area", room.area_m2}, {"centre", to_json(room.centre)}, {"outlines", outlines}};
+}
+
+Json to_json(const Passage& passage) {
+  const DoorOpening& opening = passage.opening;
+  return {{"rooms", passage.rooms},
+          {"plane", opening.plane},
+          {"jambs", {to_json(opening.jambs[0]), to_json(opening.jambs[1])}},
+          {"sill", opening.sill_m},
+          {"head", opening.head_m ? Json(*opening.head_m) : Json(nullptr)},
+          {"confidence", opening.confidence}};
 }
 
 }  // namespace
@@ -59,19 +92,31 @@ Eigen::AlignedBox3d bounding_box(const Plane& plane) {
   return box;
 }
 
-std::string planes_to_json(const std::vector<Plane>& planes, const ModelLabel& label) {
-  constexpr auto kReplace = Json::error_handler_t::replace;  // of bytes that are no UTF-8
+std::string planes_to_json(const std::vector<Plane>& planes, const ModelLabel& label,
+                           const std::vector<PlaneLabel>& labels) {
   std::string text =
       "{\n\"frame\": " + Json(label.frame).dump(-1, ' ', false, kReplace) + ",\n\"unit\": \"m\",\n";
   if (!label.run.empty()) text += "\"run\": \"" + label.run + "\",\n";
   if (!label.origin.isZero(0.0)) text += "\"origin\": " + to_json(label.origin).dump() + ",\n";
   text += "\"planes\": [";
   const char* separator = "\n";
-  for (const Plane& plane : planes) {
-    text += separator + to_json(plane).dump();
+  for (std::size_t i = 0; i < planes.size(); ++i) {
+    Json json = to_json(planes[i]);
+    if (i < labels.size()) json.update(to_json(labels[i]));
+    text += separator + json.dump(-1, ' ', false, kReplace);
     separator = ",\n";
   }
   return text + "\n]\n}\n";
+}
+
+std::string rooms_to_json(const Rooms& rooms, const ModelLabel& label) {
+  Json json{{"frame", label.frame}, {"unit", "m"}};
+  if (!label.run.empty()) json["run"] = label.run;
+  json["rooms"] = Json::array();
+  for (const Room& room : rooms.rooms) json["rooms"].push_back(to_json(room));
+  json["passages"] = Json::array();
+  for (const Passage& passage : rooms.passages) json["passages"].push_back(to_json(passage));
+  return json.dump(-1, ' ', false, kReplace) + "\n";
 }
 
 }  // namespace ribbon_mapper

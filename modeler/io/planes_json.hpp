@@ -7,6 +7,8 @@
 #include <vector>
 
 #include "modeler/io/model_label.hpp"
+#include "modeler/semantics/plane_label.hpp"
+#include "modeler/semantics/rooms.hpp"
 #include "modeler/surface/plane.hpp"
 
 namespace ribbon_mapper {
@@ -24,6 +26,17 @@ Eigen::AlignedBox3d bounding_box(const Plane& plane);
 /// Metres; n.p + d = 0 with n towards the observed side. Numbers have all digits of a double, so
 /// that ModelLabel::origin is not subtracted: it is stated for the other files of the model. The
 /// bytes are reproducible.
-std::string planes_to_json(const std::vector<Plane>& planes, const ModelLabel& label = {});
+///
+/// With `labels`, one for each plane, planes have "label", "label_confidence" and, where a person
+/// has left one, "note".
+std::string planes_to_json(const std::vector<Plane>& planes, const ModelLabel& label = {},
+                           const std::vector<PlaneLabel>& labels = {});
+
+/// Converts rooms to JSON: {"frame", "unit", "run", "rooms": [{"area", "centre", "outlines"}],
+/// "passages": [{"rooms": [a, b], "plane", "jambs": [p, q], "sill", "head", "confidence"}]}.
+///
+/// "outlines" are the coordinates of a GeoJSON MultiPolygon in map, without the repeated first
+/// point. Rooms are counted from 0; "head" is null if no lintel was seen.
+std::string rooms_to_json(const Rooms& rooms, const ModelLabel& label = {});
 
 }  // namespace ribbon_mapper

@@ -23,9 +23,9 @@ void check_save_name(const std::string& name) {
 }
 
 void add_model(const std::vector<Plane>& planes, ModelLabel label, const std::string& name,
-               double stripe_gap_m, FileSet& files) {
+               double stripe_gap_m, FileSet& files, const std::vector<PlaneLabel>& labels) {
   label.origin = origin_of(planes);
-  files.add(name + ".json", planes_to_json(planes, label));
+  files.add(name + ".json", planes_to_json(planes, label, labels));
   files.add(name + ".ply", planes_to_ply_mesh(planes, stripe_gap_m, label));
   files.add(name + "_cells.ply", planes_to_ply_cloud(planes, label));
   files.add(name + ".bt", planes_to_octomap(planes, label));
@@ -33,13 +33,14 @@ void add_model(const std::vector<Plane>& planes, ModelLabel label, const std::st
 
 std::vector<fs::path> save_model(const std::vector<Plane>& planes, const fs::path& directory,
                                  const std::string& name, double stripe_gap_m,
-                                 const std::string& frame, const std::string& model_file) {
+                                 const std::string& frame, const std::string& model_file,
+                                 const std::vector<PlaneLabel>& labels) {
   check_save_name(name);
   ModelLabel label;
   label.frame = frame;
   label.run = run_id_of({planes_to_json(planes, label)});
   FileSet files(directory, name);
-  add_model(planes, label, name, stripe_gap_m, files);
+  add_model(planes, label, name, stripe_gap_m, files, labels);
   if (!model_file.empty()) files.add(name + ".ribbons", model_file);
   return files.commit();
 }

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "modeler/io/model_label.hpp"
+#include "modeler/semantics/plane_label.hpp"
 #include "modeler/storage/file_set.hpp"
 #include "modeler/surface/plane.hpp"
 
@@ -18,9 +19,9 @@ void check_save_name(const std::string& name);
 
 /// Adds the four files of a model to a set: <name>.json, the mesh <name>.ply with stripes of up to
 /// `stripe_gap_m` closed, the cells <name>_cells.ply and the OctoMap <name>.bt. The label's origin
-/// is replaced by origin_of(). Throws as FileSet::add().
+/// is replaced by origin_of(). `labels` are those of the planes, or none. Throws as FileSet::add().
 void add_model(const std::vector<Plane>& planes, ModelLabel label, const std::string& name,
-               double stripe_gap_m, FileSet& files);
+               double stripe_gap_m, FileSet& files, const std::vector<PlaneLabel>& labels = {});
 
 /// Writes the four files of a model, as add_model(), into `directory`, which is created if needed,
 /// and <name>.ribbons with the bytes of a model file, unless there are none. They are a set of this
@@ -30,6 +31,7 @@ std::vector<std::filesystem::path> save_model(const std::vector<Plane>& planes,
                                               const std::filesystem::path& directory,
                                               const std::string& name, double stripe_gap_m,
                                               const std::string& frame = "map",
-                                              const std::string& model_file = "");
+                                              const std::string& model_file = "",
+                                              const std::vector<PlaneLabel>& labels = {});
 
 }  // namespace ribbon_mapper

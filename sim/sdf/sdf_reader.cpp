@@ -109,7 +109,9 @@ class Reader {
     for (std::uint64_t i = 0; i < link.CollisionCount(); ++i) {
       const sdf::Collision& collision = *link.CollisionByIndex(i);
       Shape shape{link_name + "::" + collision.Name(), T_map_link * pose_of(collision),
-                  geometry_of(*collision.Geom(), link_name + "::" + collision.Name())};
+                  geometry_of(*collision.Geom(), link_name + "::" + collision.Name()), ""};
+      if (const auto label = collision.Element()->FindElement(kLabelElement))
+        shape.label = label->GetValue() ? label->Get<std::string>() : "";
       std::visit([&](auto& s) { enlarge(s, seen_.state.scale(model)); }, shape.geometry);
       shapes_.push_back(std::move(shape));
     }

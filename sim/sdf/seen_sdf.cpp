@@ -40,6 +40,16 @@ void copy_reference(const char* value, XMLElement& to, const char* name, const S
   to.SetAttribute(name, file.version() < 108 ? without_colons(value).c_str() : value);
 }
 
+/// Copies the label of a collision. One without a label has that of its link, then of its models.
+void copy_label(const XMLElement& from, XMLElement& collision) {
+  for (const tinyxml2::XMLNode* at = &from; at != nullptr; at = at->Parent()) {
+    const XMLElement* label = at->FirstChildElement(kLabelElement);
+    if (label == nullptr) continue;
+    collision.InsertNewChildElement(kLabelElement)->SetText(text_of(*label).c_str());
+    return;
+  }
+}
+
 /// Copies a file, element by element, into a new document.
 class Builder {
  public:
@@ -157,6 +167,7 @@ class Builder {
                            " are read; divide the world");
     XMLElement& collision = add_named(to, "collision", name_of(from));
     copy_pose(from, collision, scope);
+    copy_label(from, collision);
     for_each_child(from, [&](const XMLElement& child) {
       if (child.Name() != std::string("pose") && child.Name() != std::string("geometry"))
         leave_out(child, {"pose", "geometry"}, scope, seen_.notes);

@@ -10,6 +10,10 @@
 
 namespace ribbon_mapper::sim {
 
+/// Name of the element of a model, link or collision that says what it is: "wall", for example.
+/// SDF leaves such names to others (http://sdformat.org/tutorials?tut=custom_elements_attributes_proposal).
+constexpr const char* kLabelElement = "ribbon_mapper:label";
+
 /// What a laser sees of an SDF file.
 struct SeenSdf {
   std::string xml;  ///< SDF 1.9: a world of models with links, collisions and frames, no more

@@ -46,6 +46,7 @@ struct Shape {
   Pose T_map_shape = Pose::Identity();  ///< pose of the shape in map
   /// What it looks like in its own frame.
   std::variant<BoxShape, CylinderShape, SphereShape, PlaneShape, MeshShape> geometry;
+  std::string label = {};  ///< what it is, as its world says; empty: the world says nothing
 };
 
 }  // namespace ribbon_mapper::sim

@@ -18,6 +18,7 @@ struct Face {
   double d_m = 0.0;                                   ///< n.p + d = 0 in map
   bool planar = true;                                 ///< false for a curved surface
   bool bounded = true;                                ///< false for the side of a plane shape
+  std::string label = {};                             ///< Shape::label
 };
 
 /// A triangle of the world's surface.

@@ -148,4 +148,14 @@ std::vector<TruthPlane> TruthCollector::planes(double min_area_m2) const {
   return state_->planes(min_area_m2);
 }
 
+std::vector<TruthCell> TruthCollector::cells() const {
+  std::vector<TruthCell> cells;
+  for (const Group& group : state_->groups) {
+    for (const HitCell& hit : group.hits.cells()) {
+      cells.push_back({group.centre(hit), group.normal, hit.face});
+    }
+  }
+  return cells;
+}
+
 }  // namespace ribbon_mapper::sim

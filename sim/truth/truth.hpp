@@ -27,6 +27,13 @@ struct TruthPlane {
   std::vector<int> faces;              ///< indices into World::faces()
 };
 
+/// A cell of 5 cm of the world's planar faces that beams hit.
+struct TruthCell {
+  Eigen::Vector3d centre = Eigen::Vector3d::Zero();   ///< in map, on the face
+  Eigen::Vector3d normal = Eigen::Vector3d::UnitZ();  ///< towards the laser
+  int face = 0;                                       ///< index into World::faces()
+};
+
 /// Collects where the beams of a tour truly hit the world.
 class TruthCollector {
  public:
@@ -48,6 +55,9 @@ class TruthCollector {
   /// m on level surfaces above the ground: two tables are two planes. A smaller `min_area_m2`
   /// returns small patches, too.
   std::vector<TruthPlane> planes(double min_area_m2 = 0.5) const;
+
+  /// Returns all cells that were hit, also of faces too small for a plane, in no particular order.
+  std::vector<TruthCell> cells() const;
 
  private:
   struct State;

@@ -39,6 +39,16 @@ TEST(PlanesJson, NumbersComeBackExactly) {
   EXPECT_EQ(first["d"].get<double>(), plane.d_m);
 }
 
+TEST(PlanesJson, HaveLabels) {
+  const auto json = nlohmann::json::parse(planes_to_json(
+      {small_plane(), small_plane()}, {}, {{"wall", 0.75}, {"my \"desk\"", 1.0, "a \xff note"}}));
+  EXPECT_EQ("wall", json["planes"][0]["label"]);
+  EXPECT_EQ(0.75, json["planes"][0]["label_confidence"]);
+  EXPECT_FALSE(json["planes"][0].contains("note"));
+  EXPECT_EQ("my \"desk\"", json["planes"][1]["label"]);
+  EXPECT_TRUE(json["planes"][1].contains("note"));
+}
+
 TEST(PlanesJson, NoPlanesAreValidJson) {
   EXPECT_TRUE(nlohmann::json::parse(planes_to_json({}))["planes"].empty());
 }

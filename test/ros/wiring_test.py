@@ -11,7 +11,7 @@ import rostest
 from nav_msgs.msg import OccupancyGrid, Odometry, Path
 from nav_msgs.srv import GetMap
 from ribbon_mapper.msg import PlaneArray
-from ribbon_mapper.srv import GetModel, GetModelRequest, Save
+from ribbon_mapper.srv import Annotate, GetModel, GetModelRequest, Save
 from rosgraph_msgs.msg import Log
 from sensor_msgs.msg import LaserScan, PointCloud2
 from std_msgs.msg import Bool
@@ -81,6 +81,26 @@ class Wiring(unittest.TestCase):
         self.assertTrue(all(plane.outlines[0].outer.points for plane in self.model().planes.planes))
         self.assertTrue(self.model(GetModelRequest.BEFORE_CORRECTION).success)
 
+    def test_planes_have_labels(self):
+        labels = sorted(plane.label for plane in self.model().planes.planes)
+        self.assertIn('floor', labels)
+        self.assertTrue(all(labels))
+        self.assertTrue(all(0.5 <= p.label_confidence <= 1 for p in self.model().planes.planes))
+
+    def test_annotations(self):
+        annotate = service('modeler/annotate', Annotate)
+        plane = self.model().planes.planes[0]
+        ids = {p.id for p in self.model().planes.planes}
+        unknown = annotate(id=max(ids) + 1, label='mine', note='')
+        self.assertFalse(unknown.success)
+        self.assertTrue(all(str(i) in unknown.message for i in ids), unknown.message)
+        self.assertTrue(annotate(id=plane.id, label='mine', note='a note').success)
+        found = [p for p in self.model().planes.planes if p.id == plane.id][0]
+        self.assertEqual((found.label, found.note), ('mine', 'a note'))
+        self.assertTrue(annotate(id=plane.id, label='', note='').success)
+        found = [p for p in self.model().planes.planes if p.id == plane.id][0]
+        self.assertNotEqual(found.label, 'mine')
+
     def test_true_poses_at_the_acquisition_stamps(self):
         def stamps(path):
             return [pose.header.stamp for pose in path.poses]
@@ -130,7 +150,8 @@ class Wiring(unittest.TestCase):
         shown = {}
         for array in list(self.markers.messages):
             for marker in array.markers:
-                shown[marker.id] = marker
+                if marker.ns == 'planes':
+                    shown[marker.id] = marker
         return {i: m for i, m in shown.items() if m.action == Marker.ADD}
 
     def test_maps_are_made_when_asked_for(self):

@@ -2,8 +2,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "modeler/ros/messages/plane_markers.hpp"
 
+#include <array>
 #include <cmath>
+#include <cstdio>
 #include <functional>
+#include <string>
 
 #include "modeler/io/colour.hpp"
 #include "modeler/ros/messages/message_conversions.hpp"
@@ -17,6 +20,9 @@ constexpr double kWhiteBehind_m = 0.02;
 
 /// White planes are pale, so that coloured ones show through them, as in figure 8 of the paper.
 constexpr float kWhiteAlpha = 0.35F;
+/// Texts stand this far before their planes, so that these do not hide them.
+constexpr double kTextBefore_m = 0.1;
+constexpr double kTextHeight_m = 0.2;  // readable in a view of a flat
 
 visualization_msgs::Marker triangles(const std_msgs::Header& header, const std::string& ns,
                                      std::int64_t id) {
@@ -58,6 +64,21 @@ void add_surface(const Plane& plane, double stripe_gap_m, const Colour& colour, 
   marker.color.a = 1.0F;
 }
 
+/// Returns a text with id, label and area before a plane.
+visualization_msgs::Marker text_marker(const Plane& plane, const PlaneLabel& label,
+                                       const std_msgs::Header& header) {
+  visualization_msgs::Marker marker = triangles(header, "labels", plane.id);
+  marker.type = visualization_msgs::Marker::TEXT_VIEW_FACING;
+  marker.pose.position = point_message(plane.centroid + kTextBefore_m * plane.normal);
+  marker.scale.z = kTextHeight_m;
+  marker.color.r = marker.color.g = marker.color.b = marker.color.a = 1.0F;
+  std::array<char, 200> text;
+  std::snprintf(text.data(), text.size(), "%lld %s %.1f m2", static_cast<long long>(plane.id),
+                label.text.c_str(), plane.area_m2);
+  marker.text = text.data();
+  return marker;
+}
+
 std::size_t hash_of(const visualization_msgs::Marker& marker) {
   std::size_t hash = marker.points.size();
   for (const geometry_msgs::Point& point : marker.points) {
@@ -67,25 +88,37 @@ std::size_t hash_of(const visualization_msgs::Marker& marker) {
   return hash;
 }
 
+std::size_t hash_of(const visualization_msgs::Marker& surface,
+                    const visualization_msgs::Marker& text) {
+  return hash_of(surface) * 1099511628211u + std::hash<std::string>()(text.text);
+}
+
 }  // namespace
 
 visualization_msgs::MarkerArray PlaneMarkers::changes(const std::vector<Plane>& planes,
+                                                      const std::vector<PlaneLabel>& labels,
                                                       double stripe_gap_m,
                                                       const std_msgs::Header& header) {
   visualization_msgs::MarkerArray array;
   std::map<std::int64_t, std::size_t> now;
-  for (const Plane& plane : planes) {
+  for (std::size_t i = 0; i < planes.size(); ++i) {
+    const Plane& plane = planes[i];
     visualization_msgs::Marker marker = triangles(header, "planes", plane.id);
     add_surface(plane, stripe_gap_m, plane_colour(plane.id), 0.0, marker);
     if (marker.points.empty()) continue;  // rviz complains about a marker without points
-    const std::size_t hash = now[plane.id] = hash_of(marker);
+    visualization_msgs::Marker text = text_marker(plane, labels.at(i), header);
+    const std::size_t hash = now[plane.id] = hash_of(marker, text);
     const auto sent = sent_.find(plane.id);
-    if (sent == sent_.end() || sent->second != hash) array.markers.push_back(std::move(marker));
+    if (sent != sent_.end() && sent->second == hash) continue;
+    array.markers.push_back(std::move(marker));
+    array.markers.push_back(std::move(text));
   }
   for (const auto& [id, hash] : sent_) {
     if (now.count(id) != 0) continue;
-    array.markers.push_back(triangles(header, "planes", id));
-    array.markers.back().action = visualization_msgs::Marker::DELETE;
+    for (const char* ns : {"planes", "labels"}) {
+      array.markers.push_back(triangles(header, ns, id));
+      array.markers.back().action = visualization_msgs::Marker::DELETE;
+    }
   }
   sent_ = std::move(now);
   return array;

@@ -9,18 +9,21 @@
 #include <map>
 #include <vector>
 
+#include "modeler/semantics/plane_label.hpp"
 #include "modeler/surface/plane.hpp"
 
 namespace ribbon_mapper {
 
-/// Markers of the planes for rviz: a TRIANGLE_LIST for each plane, in its colour. Only changes are
-/// sent, because rviz rebuilds everything that it receives.
+/// Markers of the planes for rviz: a TRIANGLE_LIST for each plane, in its colour, in the namespace
+/// "planes", and a text with id, label and area in the namespace "labels". Only changes are sent,
+/// because rviz rebuilds everything that it receives.
 class PlaneMarkers {
  public:
   /// Returns the changes since the last call; planes that are gone are deleted. Stripes between
-  /// scan lines of up to `stripe_gap_m` are closed.
-  visualization_msgs::MarkerArray changes(const std::vector<Plane>& planes, double stripe_gap_m,
-                                          const std_msgs::Header& header);
+  /// scan lines of up to `stripe_gap_m` are closed. `labels` are those of the planes.
+  visualization_msgs::MarkerArray changes(const std::vector<Plane>& planes,
+                                          const std::vector<PlaneLabel>& labels,
+                                          double stripe_gap_m, const std_msgs::Header& header);
   /// Makes the next call return all planes, for a new subscriber.
   void forget() { sent_.clear(); }
 

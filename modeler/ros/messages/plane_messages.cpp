@@ -4,6 +4,8 @@
 
 #include <sensor_msgs/point_cloud2_iterator.h>
 
+#include <algorithm>
+
 #include "modeler/io/colour.hpp"
 #include "modeler/io/planes_json.hpp"
 #include "modeler/ros/messages/message_conversions.hpp"
@@ -53,11 +55,17 @@ BoundedPlane plane_message(const Plane& plane, bool with_cells) {
 }  // namespace
 
 PlaneArray plane_array_message(const std::vector<Plane>& planes, const std_msgs::Header& header,
-                               std::size_t revision, bool with_cells) {
+                               std::size_t revision, bool with_cells,
+                               const std::vector<PlaneLabel>& labels) {
   PlaneArray message;
   message.header = header;
   message.revision = static_cast<std::uint32_t>(revision);
   for (const Plane& plane : planes) message.planes.push_back(plane_message(plane, with_cells));
+  for (std::size_t i = 0; i < std::min(planes.size(), labels.size()); ++i) {
+    message.planes[i].label = labels[i].text;
+    message.planes[i].label_confidence = labels[i].confidence;
+    message.planes[i].note = labels[i].note;
+  }
   return message;
 }
 

@@ -8,13 +8,16 @@
 
 #include <vector>
 
+#include "modeler/semantics/plane_label.hpp"
 #include "modeler/surface/plane.hpp"
 
 namespace ribbon_mapper {
 
-/// Returns planes as a message, on request with the centres of their cells.
+/// Returns planes as a message, on request with the centres of their cells. `labels` are those of
+/// the planes, or none.
 PlaneArray plane_array_message(const std::vector<Plane>& planes, const std_msgs::Header& header,
-                               std::size_t revision, bool with_cells);
+                               std::size_t revision, bool with_cells,
+                               const std::vector<PlaneLabel>& labels = {});
 
 /// Returns the centres of the seen cells: x, y, z and rgb, the colour of their plane.
 sensor_msgs::PointCloud2 cell_cloud(const std::vector<Plane>& planes,

@@ -11,6 +11,7 @@
 namespace ribbon_mapper {
 namespace {
 
+constexpr const char* kAnnotations = "anno";  // name of the part of a model file
 constexpr const char* kOlderThanLoaded = "older than the loaded model";
 
 /// Returns the stamp of the newest line of a model, in it or waiting for its neighbours.
@@ -41,6 +42,7 @@ void ModelKeeper::add(const ReadyLine& line) {
 }
 
 void ModelKeeper::correct(const std::vector<StampedPose>& trajectory) {
+  labels();  // notes where annotated planes are
   Before before{modeler_.planes_as_built(), modeler_.planes(), modeler_.trajectory()};
   correction_ms_ = 1e3 * wall_seconds_of([&] { modeler_.correct(trajectory); });
   before_ = std::move(before);
@@ -56,29 +58,54 @@ void ModelKeeper::reset() {
 }
 
 void ModelKeeper::load(ModelFile file) {
+  Annotations annotations;
+  const auto part = std::find_if(file.additions.begin(), file.additions.end(),
+                                 [](const Section& s) { return s.name == kAnnotations; });
+  if (part != file.additions.end()) {
+    annotations = Annotations::from_text(part->bytes);
+    file.additions.erase(part);
+  }
   loaded_until_ = newest_stamp(file.model);
   modeler_ = Modeler(modeler_.config(), std::move(file.model));
   additions_ = std::move(file.additions);
   forget_history();
+  annotations_ = std::move(annotations);
 }
 
 void ModelKeeper::forget_history() {
   log_ = {};
   before_ = {};
   has_before_ = false;
+  annotations_ = {};
   correction_ms_ = data_s_ = 0.0;
   last_stamp_ = Time(0);
   ++version_;
 }
 
 std::string ModelKeeper::file_bytes(const std::string& map_frame) const {
-  return to_model_file(modeler_, map_frame, additions_);
+  std::vector<Section> additions = additions_;
+  if (!annotations_.by_id().empty()) additions.push_back({kAnnotations, annotations_.to_text()});
+  return to_model_file(modeler_, map_frame, additions);
 }
 
 const std::vector<Plane>& ModelKeeper::planes() {
   if (planes_version_ != version_) planes_ = modeler_.planes();
   planes_version_ = version_;
   return planes_;
+}
+
+const std::vector<PlaneLabel>& ModelKeeper::labels() {
+  if (labels_version_ == version_) return labels_;
+  const std::vector<const Annotation*> annotations = annotations_.of(planes());
+  const Semantics semantics = semantics_of(planes_, positions_of(modeler_.trajectory()));
+  labels_ = plane_labels(planes_, semantics, annotations);
+  labels_version_ = version_;
+  return labels_;
+}
+
+void ModelKeeper::annotate(std::int64_t id, const std::string& label, const std::string& note) {
+  annotations_.set(id, label, note, planes());
+  ++version_;
 }
 
 double ModelKeeper::real_time_factor() const {

@@ -4,6 +4,7 @@
 
 #include <ros/time.h>
 
+#include <cstdint>
 #include <string>
 #include <vector>
 
@@ -11,6 +12,7 @@
 #include "modeler/modeler.hpp"
 #include "modeler/ros/intake/line_intake.hpp"
 #include "modeler/ros/intake/line_log.hpp"
+#include "modeler/semantics/plane_label.hpp"
 
 namespace ribbon_mapper {
 
@@ -27,9 +29,10 @@ class ModelKeeper {
   /// Corrects the model and keeps its state before. Throws as Modeler::correct() does; the model
   /// and the state before then stay as they were.
   void correct(const std::vector<StampedPose>& trajectory);
-  /// Empties the model, the log and the state before the correction.
+  /// Empties the model, its annotations, the log and the state before the correction.
   void reset();
-  /// Goes on from a model file; log and state before the correction are empty.
+  /// Goes on from a model file and its annotations; log and state before the correction are empty.
+  /// Throws std::invalid_argument if the annotations are damaged; nothing has changed then.
   void load(ModelFile file);
 
   /// Returns the model.
@@ -46,6 +49,13 @@ class ModelKeeper {
   std::size_t version() const { return version_; }
   /// Returns the final planes. Evaluates the whole model if it has changed since the last call.
   const std::vector<Plane>& planes();
+
+  /// Returns the labels of planes(), in their order.
+  const std::vector<PlaneLabel>& labels();
+  /// Annotates a plane of planes(). Throws as Annotations::set().
+  void annotate(std::int64_t id, const std::string& label, const std::string& note);
+  /// Returns what people have said about the planes.
+  const Annotations& annotations() const { return annotations_; }
 
   /// The state just before the last correction.
   struct Before {
@@ -64,13 +74,16 @@ class ModelKeeper {
   double real_time_factor() const;
 
  private:
+  void forget_history();
+
   Modeler modeler_;
   double stripe_gap_m_;
   LineLog log_;
   std::size_t version_ = 1, planes_version_ = 0;
   std::vector<Plane> planes_;  ///< of planes_version_
-  void forget_history();
-
+  std::size_t labels_version_ = 0;
+  std::vector<PlaneLabel> labels_;  ///< of labels_version_
+  Annotations annotations_;
   Before before_;
   bool has_before_ = false;
   std::vector<Section> additions_;  ///< of the file that was loaded

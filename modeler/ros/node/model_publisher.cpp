@@ -52,9 +52,11 @@ void ModelPublisher::publish_planes(ModelKeeper& keeper) {
   if (!wanted(planes_) && !wanted(markers_) && !wanted(cloud_)) return;
   const std::vector<Plane>& planes = keeper.planes();
   const std::size_t revision = keeper.modeler().statistics().revision;
-  if (wanted(planes_)) planes_.publish(plane_array_message(planes, header(), revision, false));
+  if (wanted(planes_))
+    planes_.publish(plane_array_message(planes, header(), revision, false, keeper.labels()));
   if (wanted(markers_))
-    markers_.publish(plane_markers_.changes(planes, keeper.stripe_gap_m(), header()));
+    markers_.publish(
+        plane_markers_.changes(planes, keeper.labels(), keeper.stripe_gap_m(), header()));
   if (wanted(cloud_)) cloud_.publish(cell_cloud(planes, header()));
 }
 

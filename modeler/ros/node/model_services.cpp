@@ -41,8 +41,10 @@ GetModel::Response model_response(const GetModel::Request& request, ModelKeeper&
   std_msgs::Header header;
   header.frame_id = map_frame;
   header.stamp = ros::Time::now();
-  response.planes = plane_array_message(planes_asked_for(request, keeper), header,
-                                        statistics.revision, request.cells);
+  const bool is_final = request.which == GetModel::Request::CURRENT && !request.as_built;
+  response.planes =
+      plane_array_message(planes_asked_for(request, keeper), header, statistics.revision,
+                          request.cells, is_final ? keeper.labels() : std::vector<PlaneLabel>());
   response.message = std::to_string(response.planes.planes.size()) + " planes";
   response.lines = keeper.log().lines();
   response.dropped_lines = keeper.log().dropped_lines();
@@ -60,8 +62,9 @@ Save::Response save_response(const std::string& name, ModelKeeper& keeper,
     if (is_reserved_name(name)) throw std::invalid_argument(name + " is a name of its own use");
     const std::vector<Plane>& planes = keeper.planes();
     response.message = std::to_string(planes.size()) + " planes written to";
-    for (const std::filesystem::path& file : save_model(
-             planes, directory, name, keeper.stripe_gap_m(), frame, keeper.file_bytes(frame)))
+    for (const std::filesystem::path& file :
+         save_model(planes, directory, name, keeper.stripe_gap_m(), frame, keeper.file_bytes(frame),
+                    keeper.labels()))
       response.message += " " + file.string();
     response.success = true;
   } catch (const std::exception& error) {
@@ -101,6 +104,19 @@ std::string load_into(ModelKeeper& keeper, ModelFile file, const std::filesystem
   return path.string() + ": " + std::to_string(statistics.ribbons) + " ribbons of " +
          std::to_string(statistics.lines) + " lines, " + std::to_string(statistics.revision) +
          " corrections, " + std::to_string(keeper.planes().size()) + " planes" + text;
+}
+
+Annotate::Response annotate_response(const Annotate::Request& request, ModelKeeper& keeper) {
+  Annotate::Response response;
+  try {
+    keeper.annotate(request.id, request.label, request.note);
+    response.success = true;
+    response.message = "plane " + std::to_string(request.id) +
+                       (request.label.empty() ? ": annotation removed" : ": " + request.label);
+  } catch (const std::invalid_argument& error) {
+    response.message = error.what();
+  }
+  return response;
 }
 
 }  // namespace ribbon_mapper

@@ -6,7 +6,6 @@
 #include <filesystem>
 #include <utility>
 
-#include "modeler/io/config_file.hpp"
 #include "modeler/model_file/autosave.hpp"
 #include "modeler/ros/intake/clock_guard.hpp"
 #include "modeler/ros/intake/line_intake.hpp"
@@ -20,44 +19,13 @@
 #include "modeler/ros/node/model_publisher.hpp"
 #include "modeler/ros/node/model_services.hpp"
 #include "modeler/ros/node/modeler_diagnostics.hpp"
+#include "modeler/ros/node/modeler_parameters.hpp"
 #include "modeler/ros/node/turn_check.hpp"
 
 namespace ribbon_mapper {
 namespace {
 
 constexpr const char* kStopped = "time went back, ~reset is awaited";
-
-struct ModelerParameters {
-  IntakeParameters lines;
-  ModelerConfig config;
-  double tf_cache_s;
-  OnTimeJump on_time_jump;
-  std::filesystem::path output_dir;
-  std::string load;
-  bool resume;
-  double autosave_period_s;
-  MapServerOptions maps;
-
-  static ModelerParameters read() {
-    StrictParameters from;
-    ModelerParameters p;
-    p.lines = intake_parameters(from);
-    p.tf_cache_s = from.number("tf_cache", 120.0, 10.0, 3600.0);
-    p.on_time_jump = on_time_jump_from(from.text("on_time_jump", "reset"));
-    p.output_dir = std::filesystem::absolute(
-        from.filled_text("output_dir", "models", "a folder for saved models"));
-    p.load = from.text("load", "");
-    p.resume = from.flag("resume", false);
-    p.autosave_period_s = from.number("autosave_period_s", 0.0, 0.0, 86400.0);
-    p.maps.period_s = from.number("map_period", 10.0, 0.0, 86400.0);
-    from.refuse_unknown();
-    p.config = load_config(p.lines.config_file);
-    p.maps.frame = p.lines.options.frames.map;
-    p.maps.directory = p.output_dir;
-    p.maps.maps = p.config.maps;
-    return p;
-  }
-};
 
 /// Runs the modeler on ROS. One thread serves all callbacks; none of them blocks.
 class ModelerNode {
@@ -74,6 +42,7 @@ class ModelerNode {
   bool on_save(Save::Request& request, Save::Response& response);
   bool on_load(Load::Request& request, Load::Response& response);
   bool on_get_model(GetModel::Request& request, GetModel::Response& response);
+  bool on_annotate(Annotate::Request& request, Annotate::Response& response);
   void check_clock();
   void on_time_jump();
   void load_at_start();
@@ -99,7 +68,7 @@ class ModelerNode {
   MapServer maps_;
   LineReport line_report_;
   ModelerDiagnostics diagnostics_;
-  ros::ServiceServer reset_, save_, load_, get_model_;
+  ros::ServiceServer reset_, save_, load_, get_model_, annotate_;
   ros::Subscriber corrected_trajectory_, scan_;
   ros::WallTimer line_timer_, report_timer_;
   BarrenLines barren_lines_;
@@ -125,6 +94,7 @@ ModelerNode::ModelerNode(const ModelerParameters& parameters)
   save_ = private_node_.advertiseService("save", &ModelerNode::on_save, this);
   load_ = private_node_.advertiseService("load", &ModelerNode::on_load, this);
   get_model_ = private_node_.advertiseService("get_model", &ModelerNode::on_get_model, this);
+  annotate_ = private_node_.advertiseService("annotate", &ModelerNode::on_annotate, this);
   corrected_trajectory_ =
       node_.subscribe("corrected_trajectory", 2, &ModelerNode::on_corrected_trajectory, this);
   // Subscribed last, so that everything is ready for the first line. The queue is long, so that no
@@ -210,6 +180,13 @@ bool ModelerNode::on_load(Load::Request& request, Load::Response& response) {
 bool ModelerNode::on_get_model(GetModel::Request& request, GetModel::Response& response) {
   take_lines();
   response = model_response(request, keeper_, map_frame());
+  return true;
+}
+
+bool ModelerNode::on_annotate(Annotate::Request& request, Annotate::Response& response) {
+  take_lines();
+  response = annotate_response(request, keeper_);
+  if (!response.success) ROS_ERROR("Not annotated: %s", response.message.c_str());
   return true;
 }
 
@@ -306,7 +283,7 @@ int main(int argc, char** argv) {
   ros::init(argc, argv, "modeler");
   const ros::NodeHandle keeps_logging_up;
   try {
-    ribbon_mapper::ModelerNode node(ribbon_mapper::ModelerParameters::read());
+    ribbon_mapper::ModelerNode node(ribbon_mapper::modeler_parameters());
     ros::spin();
     node.autosave(true);
   } catch (const std::exception& error) {

@@ -20,6 +20,17 @@ constexpr const char* kFooter =
     "Not sure what is in the bag? `bag_check FILE` lists it and reports what is wrong.\n"
     "Exit code: 0 success, 1 failure, 2 wrong usage.";
 
+/// Throws CLI::Error if options contradict each other.
+void check(const OfflineOptions& options) {
+  if (!options.base_scan.empty() && !options.estimates_trajectory()) {
+    throw CLI::ValidationError("--base-scan", "only the estimate uses it: add --trajectory self");
+  }
+  if (options.load.empty() && options.bags.empty()) throw CLI::RequiredError("--bag, or --load,");
+  if (!options.load.empty() && options.estimates_trajectory()) {
+    throw CLI::ExcludesError("--load", "--trajectory self");
+  }
+}
+
 }  // namespace
 
 std::variant<OfflineOptions, int> parse_offline_options(int argc, const char* const* argv) {
@@ -27,7 +38,7 @@ std::variant<OfflineOptions, int> parse_offline_options(int argc, const char* co
   std::string tf_drop_frames;
   CLI::App app(kDescription, "offline_modeler");
   app.footer(kFooter);
-  auto* const bag = app.add_option("--bag", options.bags, "bags, read as one in the order of time");
+  app.add_option("--bag", options.bags, "bags, read as one in the order of time");
   app.add_option(
          "--load", options.load,
          "model file (*.ribbons) to go on from, with its configuration if no other is named")
@@ -51,13 +62,7 @@ std::variant<OfflineOptions, int> parse_offline_options(int argc, const char* co
                "occupied space");
   try {
     app.parse(argc, argv);
-    if (!options.base_scan.empty() && !options.estimates_trajectory()) {
-      throw CLI::ValidationError("--base-scan", "only the estimate uses it: add --trajectory self");
-    }
-    if (options.load.empty() && bag->count() == 0) throw CLI::RequiredError("--bag, or --load,");
-    if (!options.load.empty() && options.estimates_trajectory()) {
-      throw CLI::ExcludesError("--load", "--trajectory self");
-    }
+    check(options);
   } catch (const CLI::ParseError& error) {
     return app.exit(error) == 0 ? 0 : 2;
   }

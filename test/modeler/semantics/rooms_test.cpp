@@ -1,0 +1,58 @@
+// SPDX-FileCopyrightText: 2026 ribbon_mapper authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "modeler/semantics/rooms.hpp"
+
+#include <gtest/gtest.h>
+
+#include "test/modeler/semantics/rectangles.hpp"
+
+namespace ribbon_mapper {
+namespace {
+
+using namespace rectangles;
+using Eigen::Vector3d;
+
+/// Returns a floor of 6 x 8 m and a wall of 10 cm across it at y = 5, seen from smaller y, with a
+/// doorway from x = 2 to 2.9.
+std::vector<Plane> two_rooms() {
+  const Plane wall = upright(0, 5, 6, 0, 2.6, 7);
+  return {level(0, 0, 0, 6, 5), level(2, 5, 0, 0.9, 0.1), level(0, 5.1, 0, 6, 3),
+          without(wall, {Vector3d(2, 4, -1), Vector3d(2.9, 6, 2.1)})};
+}
+
+Rooms rooms_in(const std::vector<Plane>& planes) {
+  return rooms_of(planes, semantics_of(planes, {}));
+}
+
+TEST(Rooms, AreDividedAtADoorway) {
+  const Rooms rooms = rooms_in(two_rooms());
+  ASSERT_EQ(2u, rooms.rooms.size());
+  EXPECT_NEAR(30.0, rooms.rooms[0].area_m2, 0.7);
+  EXPECT_NEAR(18.0, rooms.rooms[1].area_m2, 0.7);
+  EXPECT_NEAR(rooms.rooms[0].area_m2, area(rooms.rooms[0].outlines), 0.5);
+  EXPECT_NEAR(2.5, rooms.rooms[0].centre.y(), 0.1);
+  ASSERT_EQ(1u, rooms.passages.size());
+  EXPECT_EQ((std::array<std::size_t, 2>{0, 1}), rooms.passages[0].rooms);
+  EXPECT_EQ(7, rooms.passages[0].opening.plane);
+}
+
+TEST(Rooms, HaveOnePassageThoughBothSidesOfTheWallWereSeen) {
+  std::vector<Plane> planes = two_rooms();
+  Plane back = rectangle({6, 5.1, 0}, {-6, 0, 0}, {0, 0, 2.6}, 8);
+  planes.push_back(without(back, {Vector3d(2, 4, -1), Vector3d(2.9, 6, 2.1)}));
+  const Rooms rooms = rooms_in(planes);
+  EXPECT_EQ(2u, rooms.rooms.size());
+  EXPECT_EQ(1u, rooms.passages.size());
+}
+
+TEST(Rooms, WithoutAWallAreOne) {
+  std::vector<Plane> planes = two_rooms();
+  planes.pop_back();
+  EXPECT_EQ(1u, rooms_in(planes).rooms.size());
+  EXPECT_TRUE(rooms_in(planes).passages.empty());
+}
+
+TEST(Rooms, OfNothingAreNone) { EXPECT_TRUE(rooms_in({}).rooms.empty()); }
+
+}  // namespace
+}  // namespace ribbon_mapper
