@@ -6,6 +6,7 @@
 
 #include "modeler/io/config_file.hpp"
 #include "modeler/program/installed_files.hpp"
+#include "modeler/report/changed_keys.hpp"
 
 namespace ribbon_mapper::eval {
 
@@ -57,6 +58,7 @@ Results make_run(const RunOptions& run, const ProgressCallback& progress) {
                      run.closure == "self" ? Closure::self : Closure::truth, progress);
   results.summary.run = with_portable_names(run);
   results.summary.command = command_of(run);
+  results.parameters = changed_keys(config);
   return results;
 }
 

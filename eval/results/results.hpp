@@ -4,11 +4,13 @@
 
 #include <Eigen/Core>
 #include <filesystem>
+#include <optional>
 #include <vector>
 
 #include "eval/metrics/patch.hpp"
 #include "eval/results/summary.hpp"
 #include "modeler/geometry/pose.hpp"
+#include "modeler/report/changed_keys.hpp"
 #include "modeler/storage/file_set.hpp"
 #include "modeler/surface/plane.hpp"
 
@@ -32,6 +34,8 @@ struct Results {
   std::vector<StampedPose> trajectory_truth;
   /// Polylines of the world in a top view [m], for the figure.
   std::vector<std::vector<Eigen::Vector2d>> world_outlines;
+  /// Keys of the modeler's configuration that are not at their defaults, if known.
+  std::optional<std::vector<ChangedKey>> parameters;
 };
 
 /// Computes the metrics of the four models and the end drift, and stores them in the summary.
@@ -42,8 +46,8 @@ void evaluate(Results& results);
 /// summary.json, planes_before.json (noisy, as built), planes_noisy.json (noisy, final),
 /// planes_truth.json, planes_after.{json,ply,bt} with planes_after_cells.ply (corrected, final),
 /// trajectory_{before,after,truth}.tum, trajectory_covariance.csv (if there are covariances) and
-/// figure.json (for draw_figure()). Throws std::runtime_error with the file, the reason and a
-/// remedy.
+/// figure.json (for draw_figure()) and report.html (see report_page()). Throws std::runtime_error
+/// with the file, the reason and a remedy.
 FileSet staged_results(const Results& results, const std::filesystem::path& directory);
 
 /// Writes the results as staged_results() and commits them.
