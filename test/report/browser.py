@@ -114,7 +114,7 @@ class Browser:
     def open(self, path):
         """Opens a file and waits until its first picture is drawn. Returns when that was [ms]."""
         self._call("Page.navigate", url=path.resolve().as_uri())
-        return int(self.wait("document.documentElement.dataset.firstPictureMs"))
+        return int(self.wait("document.documentElement?.dataset.firstPictureMs"))
 
     def run(self, script):
         """Returns the value of a JavaScript expression."""

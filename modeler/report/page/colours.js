@@ -4,8 +4,8 @@
 const FLOOR = "#c3c7cb", CEILING = "#dfe2e5";
 const CALM = ["#8fb3cf", "#a9c6a3", "#dcbd9f", "#b9a9cc", "#cfc38f", "#8fc3bd", "#d8adae",
   "#a7b4d8", "#bfc7a0", "#c9b2a6"];
-const VERDICTS = {matched: ["#7fb0a2", "plane of a true plane"],
-  duplicate: ["#e0a458", "further plane on the same true plane"],
+const VERDICTS = {matched: ["#7fb0a2", "matches a true plane"],
+  duplicate: ["#e0a458", "a further plane on a true plane"],
   extra: ["#cc6f66", "on no true plane"]};
 const LABELS = {floor: FLOOR, ceiling: CEILING, wall: "#a8bfd3", "door leaf": "#c9a27e",
   door: "#c9a27e", "door opening": "#b5896b", table: "#a9c6a3", shelf: "#cfc38f",
@@ -15,7 +15,7 @@ const OTHER = "#d5d0c8";
 /** The ways to colour planes that the data allow: name, colour of a plane, and its legend. */
 function colourings(data) {
   const planes = data.models.flatMap((model) => model.planes);
-  const found = [{name: "by plane", colourOf: colourByPlane, legend: [[FLOOR, "floor"]]}];
+  const found = [{name: "by plane", colourOf: colourByPlane, legend: [[FLOOR, "floor; every other plane has a colour of its own"]]}];
   if (planes.some((plane) => plane.label)) found.push(byLabel(planes));
   if (planes.some((plane) => plane.verdict)) {
     found.push({name: "against the truth", legend: Object.values(VERDICTS),

@@ -27,10 +27,11 @@ class Page {
     this.addSwitches();
     this.addColours();
     this.addSliders();
-    byId("from_above").onclick = () => this.look(Math.PI / 2 * 0.999);
-    byId("from_home").onclick = () => this.look();
+    byId("from_above").onclick = () => { this.stage.isTurned = true; this.look(Math.PI / 2 * 0.999); };
+    byId("from_home").onclick = () => { this.stage.isTurned = false; this.look(); };
     this.stage.onClick((ray) => this.pick(ray));
     document.addEventListener("keydown", (event) => { if (event.key === "Escape") this.choose(null); });
+    this.stage.onFit = () => this.look();
     this.look();
     this.moveTo(this.position);
   }

@@ -1,7 +1,8 @@
 // SPDX-FileCopyrightText: 2026 ribbon_mapper authors
 // SPDX-License-Identifier: BSD-3-Clause
 
-const PLOT = {width: 560, height: 220, left: 52, right: 12, top: 12, bottom: 40};
+// As wide as its place, so that its text is as large as that of the page.
+const PLOT = {width: Math.max(300, Math.min(560, document.body.clientWidth - 32)), height: 220, left: 52, right: 12, top: 12, bottom: 40};
 const SERIES = ["#9aa3ab", PATH, "#2f6d9e", "#6b8f5e"];
 
 function svg(tag, attributes, ...children) {

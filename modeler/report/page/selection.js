@@ -3,6 +3,8 @@
 
 const LARGEST_PICTURE = 2048;  // pixels of a side: textures of phones may be as small as 4096
 
+const HINT = byId("hint").textContent;
+
 /** The chosen plane: its outline and cells in the view, its numbers beside it. */
 class Selection {
   constructor(data) {
@@ -14,6 +16,7 @@ class Selection {
   clear() {
     this.id = null;
     this.empty();
+    byId("hint").textContent = HINT;
     byId("plane").replaceChildren(element("h3", {}, "No plane is chosen"),
       element("p", {className: "soft"}, "Click a plane in the picture, or choose one in the list below: "
         + "its numbers, the cells in which it was seen, and its errors appear here."));
@@ -25,6 +28,7 @@ class Selection {
     this.id = id;
     this.empty();
     if (index === undefined) {
+      byId("hint").textContent = HINT;
       byId("plane").replaceChildren(element("h3", {}, `Plane ${id}`),
         element("p", {}, `${model.name}: there is no such plane.`));
       return;
@@ -32,6 +36,7 @@ class Selection {
     const plane = model.planes[index], truth = this.truthOf(plane);
     const picture = plane.cells ? pictureOf(plane.cells) : null;
     this.show(plane, truth, picture);
+    byId("hint").textContent = shortText(plane);
     byId("plane").replaceChildren(...this.texts(model, plane, picture));
   }
 
@@ -74,14 +79,22 @@ class Selection {
   }
 }
 
+/** Returns the few numbers that fit below the view. */
+function shortText(plane) {
+  const {verdict} = plane;
+  const errors = verdict?.truth === undefined ? "" : `, off by ${number(verdict.angle_deg, 2)}° and `
+    + `${number(1e3 * verdict.offset_m, 1)} mm`;
+  return `Plane ${plane.id}: ${number(plane.area, 2)} m²${errors}`;
+}
+
 function numbersOf(plane, truth) {
   const list = (v, decimals) => v.toArray().map((value) => number(value, decimals)).join(", ");
   const holes = plane.rings.reduce((sum, rings) => sum + rings.length - 1, 0);
   const rows = [["Seen area", `${number(plane.area, 2)} m²`],
-    ["Normal", list(plane.normal, 4)],
+    ["Normal", list(plane.normal, 3)],
     ["Distance d", `${number(plane.d, 4)} m`],
     ["Centroid", `${list(plane.centroid, 2)} m`],
-    ["Uncertainty (1 σ)", `${number(plane.sigmas[0] * 180 / Math.PI, 3)}° and `
+    ["Uncertainty (1 σ)", `${number(plane.sigmas[0] * 180 / Math.PI, 3)}°, `
       + `${number(plane.sigmas[1] * 180 / Math.PI, 3)}°, ${number(1e3 * plane.sigmas[2], 2)} mm`],
     ["Outline", `${counted(plane.rings.length, "part")}, ${counted(holes, "hole")}`],
     ["Observations", `${counted(plane.ribbons, "ribbon")}, ${counted(plane.points, "point")}`],

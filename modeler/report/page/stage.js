@@ -17,8 +17,9 @@ class Stage {
     this.controls = new THREE.OrbitControls(this.camera, this.renderer.domElement);
     this.controls.maxPolarAngle = 0.97 * Math.PI;
     this.controls.addEventListener("change", () => this.change());
+    this.controls.addEventListener("start", () => { this.isTurned = true; });
     this.tags = [];
-    this.onDrawn = () => {};
+    this.onFit = () => {};
     new ResizeObserver(() => this.fit()).observe(view);
     view.addEventListener("keydown", (event) => this.onKey(event));
     this.fit();
@@ -53,16 +54,9 @@ class Stage {
   /** Turns the camera to a box, from an azimuth and a height above it [rad]. */
   look(box, azimuth, elevation) {
     const centre = box.getCenter(new THREE.Vector3());
-    const size = box.getSize(new THREE.Vector3());
-    const half = Math.tan(this.camera.fov * Math.PI / 360);
-    // The width and the height of a box that is seen from the side, and some air.
-    const wide = Math.abs(Math.cos(azimuth)) * size.y + Math.abs(Math.sin(azimuth)) * size.x;
-    const deep = Math.abs(Math.cos(azimuth)) * size.x + Math.abs(Math.sin(azimuth)) * size.y;
-    const high = deep * Math.sin(elevation) + size.z * Math.cos(elevation);
-    const away = Math.max(high / 2 / half, wide / 2 / half / this.camera.aspect, 1)
-      * 1.04 + Math.cos(elevation) * deep / 2;
     const direction = new THREE.Vector3(Math.cos(azimuth) * Math.cos(elevation),
       Math.sin(azimuth) * Math.cos(elevation), Math.sin(elevation));
+    const away = Math.max(1, 1.03 * this.distanceFor(box, centre, direction));
     this.camera.far = 20 * away;
     this.camera.near = away / 500;
     this.camera.updateProjectionMatrix();
@@ -70,6 +64,20 @@ class Stage {
     this.controls.target.copy(centre);
     this.controls.update();
     this.change();
+  }
+
+  /** Returns how far in this direction the camera must be to see all corners of a box. */
+  distanceFor(box, centre, direction) {
+    const right = UP.clone().cross(direction).normalize(), up = direction.clone().cross(right);
+    const high = Math.tan(this.camera.fov * Math.PI / 360), wide = high * this.camera.aspect;
+    let away = 0;
+    for (let corner = 0; corner < 8; ++corner) {
+      const [x, y, z] = [0, 1, 2].map((k) => ((corner >> k) & 1 ? box.max : box.min).getComponent(k));
+      const to = new THREE.Vector3(x, y, z).sub(centre);
+      away = Math.max(away, to.dot(direction) + Math.abs(to.dot(right)) / wide,
+        to.dot(direction) + Math.abs(to.dot(up)) / high);
+    }
+    return away;
   }
 
   onKey(event) {
@@ -86,6 +94,7 @@ class Stage {
     if (zoom) offset.multiplyScalar(zoom);
     if (!turn && !tilt && !zoom) return;
     event.preventDefault();
+    this.isTurned = true;
     this.camera.position.copy(this.controls.target).add(offset);
     this.controls.update();
     this.change();
@@ -96,6 +105,7 @@ class Stage {
     this.camera.aspect = width / height;
     this.camera.updateProjectionMatrix();
     this.renderer.setSize(width, height, false);
+    if (!this.isTurned) this.onFit();
     this.draw();
   }
 
@@ -109,7 +119,6 @@ class Stage {
   draw() {
     this.renderer.render(this.scene, this.camera);
     this.placeTags();
-    this.onDrawn();
   }
 
   /** Shows texts at points: {point, normal (or none), text, kind}. */

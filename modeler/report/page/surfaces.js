@@ -26,6 +26,7 @@ class Surfaces {
       material.depthWrite = weight >= 0.5;
       material.side = backs ? THREE.DoubleSide : THREE.FrontSide;
       part.edges.material.opacity = 0.75 * weight;
+      part.edges.material.userData.behind.value = backs ? 1 : EDGE_FROM_BEHIND;
     }
   }
 
@@ -47,12 +48,17 @@ class Part {
     this.firstVertex = [];
     this.firstTriangle = [];
     this.firstEdge = [];
-    const points = [], triangles = [], edges = [];
-    for (const index of indices) this.addPlane(model.planes[index], centre, points, triangles, edges);
+    const points = [], triangles = [], edges = [], normals = [];
+    for (const index of indices) {
+      const plane = model.planes[index];
+      this.addPlane(plane, centre, points, triangles, edges);
+      while (normals.length < edges.length) normals.push(...plane.normal.toArray());
+    }
     this.mesh = new THREE.Mesh(geometryOf(points, triangles), new THREE.MeshBasicMaterial(
       {vertexColors: true, polygonOffset: true, polygonOffsetFactor: 1, polygonOffsetUnits: 1}));
-    this.edges = new THREE.LineSegments(geometryOf(edges),
-      new THREE.LineBasicMaterial({vertexColors: true, transparent: true}));
+    this.edges = new THREE.LineSegments(geometryOf(edges), edgeMaterial());
+    this.edges.geometry.setAttribute("normal",
+      new THREE.BufferAttribute(new Float32Array(normals), 3));
   }
 
   addPlane(plane, centre, points, triangles, edges) {
@@ -91,6 +97,23 @@ class Part {
     }
     return this.indices[low];
   }
+}
+
+const EDGE_FROM_BEHIND = 0.22;  // opacity: planes themselves are seen from their front only
+
+/** Returns a material for edges that are faint where their plane is seen from behind. */
+function edgeMaterial() {
+  const material = new THREE.LineBasicMaterial({vertexColors: true, transparent: true});
+  material.userData.behind = {value: EDGE_FROM_BEHIND};
+  material.onBeforeCompile = (shader) => {
+    shader.uniforms.behind = material.userData.behind;
+    shader.vertexShader = "uniform float behind; varying float opacityOfSide;\n"
+      + shader.vertexShader.replace("#include <begin_vertex>", "#include <begin_vertex>\n"
+        + "opacityOfSide = dot(normal, cameraPosition - position) < 0.0 ? behind : 1.0;");
+    shader.fragmentShader = "varying float opacityOfSide;\n" + shader.fragmentShader.replace(
+      "#include <color_fragment>", "#include <color_fragment>\ndiffuseColor.a *= opacityOfSide;");
+  };
+  return material;
 }
 
 /** Returns the corners of a ring from the data [m]. */
