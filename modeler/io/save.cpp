@@ -33,13 +33,14 @@ void add_model(const std::vector<Plane>& planes, ModelLabel label, const std::st
 
 std::vector<fs::path> save_model(const std::vector<Plane>& planes, const fs::path& directory,
                                  const std::string& name, double stripe_gap_m,
-                                 const std::string& frame) {
+                                 const std::string& frame, const FileOfRun& page) {
   check_save_name(name);
   ModelLabel label;
   label.frame = frame;
   label.run = run_id_of({planes_to_json(planes, label)});
   FileSet files(directory, name);
   add_model(planes, label, name, stripe_gap_m, files);
+  if (page) files.add(name + ".html", page(label.run));
   return files.commit();
 }
 

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <filesystem>
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -22,12 +23,17 @@ void check_save_name(const std::string& name);
 void add_model(const std::vector<Plane>& planes, ModelLabel label, const std::string& name,
                double stripe_gap_m, FileSet& files);
 
-/// Writes the four files of a model, as add_model(), into `directory`, which is created if needed.
-/// They are a set of this name, see FileSet. Returns their paths. Throws std::invalid_argument for
+/// A function that returns the bytes of a file of a run, given the run's id.
+using FileOfRun = std::function<std::string(const std::string& run)>;
+
+/// Writes the four files of a model, as add_model(), into `directory`, which is created if needed,
+/// and <name>.html with the bytes of `page`, unless that is empty. They are a set of this name, see
+/// FileSet. Returns their paths. Throws std::invalid_argument for
 /// a bad name, and std::runtime_error with the file, the reason and a remedy.
 std::vector<std::filesystem::path> save_model(const std::vector<Plane>& planes,
                                               const std::filesystem::path& directory,
                                               const std::string& name, double stripe_gap_m,
-                                              const std::string& frame = "map");
+                                              const std::string& frame = "map",
+                                              const FileOfRun& page = {});
 
 }  // namespace ribbon_mapper

@@ -23,12 +23,12 @@ def browser_program():
 class Browser:
     """One page. `problems` are errors of its console, and what it asked of the network."""
 
-    def __init__(self, width=1280, height=900):
+    def __init__(self, width=1280, height=900, options=()):
         self.problems = []
         self._buffer = b""
         self._last_id = 0
         self._profile = tempfile.TemporaryDirectory(prefix="browser_")
-        self._start()
+        self._start(list(options))
         target = self._call("Target.createTarget", url="about:blank")["targetId"]
         self._session = None
         self._session = self._call("Target.attachToTarget", targetId=target,
@@ -37,7 +37,7 @@ class Browser:
             self._call(f"{domain}.enable")
         self.resize(width, height)
 
-    def _start(self):
+    def _start(self, options):
         to_browser, self._to = os.pipe()
         self._from, from_browser = os.pipe()
 
@@ -48,9 +48,9 @@ class Browser:
         self._session = None
         self._process = subprocess.Popen(
             [browser_program(), "--headless", "--no-sandbox", "--remote-debugging-pipe",
-             "--disable-gpu-sandbox", "--use-angle=swiftshader", "--enable-unsafe-swiftshader",
+             "--use-angle=swiftshader", "--enable-unsafe-swiftshader",
              "--hide-scrollbars", "--disable-dev-shm-usage", "--no-first-run",
-             f"--user-data-dir={self._profile.name}"],
+             f"--user-data-dir={self._profile.name}"] + options,
             pass_fds=[3, 4], preexec_fn=move_pipes, stdout=subprocess.DEVNULL,
             stderr=subprocess.DEVNULL)
         os.close(to_browser)
@@ -139,12 +139,25 @@ class Browser:
             self._call("Input.dispatchMouseEvent", type=kind, x=x, y=y, button="left",
                        buttons=1, clickCount=1)
 
-    def key(self, name):
-        for kind in ["keyDown", "keyUp"]:
-            self._call("Input.dispatchKeyEvent", type=kind, key=name)
+    def key(self, name, code):
+        """Presses a key by its name and its Windows code, which sliders listen to."""
+        for kind in ["rawKeyDown", "keyUp"]:
+            self._call("Input.dispatchKeyEvent", type=kind, key=name, windowsVirtualKeyCode=code)
 
-    def screenshot(self, path, whole=False):
-        """Writes a picture of what is seen, or of the whole page."""
-        picture = self._call("Page.captureScreenshot", format="png",
-                             captureBeyondViewport=whole)
-        path.write_bytes(base64.b64decode(picture["data"]))
+    def tap(self, x, y):
+        """Touches a point with one finger."""
+        self._call("Emulation.setTouchEmulationEnabled", enabled=True)
+        self._call("Input.dispatchTouchEvent", type="touchStart", touchPoints=[{"x": x, "y": y}])
+        self._call("Input.dispatchTouchEvent", type="touchEnd", touchPoints=[])
+
+    def drag(self, start, end):
+        """Drags the mouse from one point to another."""
+        for kind, (x, y) in [("mousePressed", start), ("mouseMoved", end), ("mouseReleased", end)]:
+            self._call("Input.dispatchMouseEvent", type=kind, x=x, y=y, button="left",
+                       buttons=1, clickCount=1)
+
+    def picture(self, whole=False):
+        """Returns a PNG file of what is seen, or of the whole page."""
+        self.run("new Promise((done) => requestAnimationFrame(() => requestAnimationFrame(done)))")
+        answer = self._call("Page.captureScreenshot", format="png", captureBeyondViewport=whole)
+        return base64.b64decode(answer["data"])

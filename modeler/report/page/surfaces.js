@@ -22,6 +22,7 @@ class Surfaces {
     for (const part of this.parts) {
       const material = part.mesh.material;
       material.opacity = weight;
+      if (material.transparent !== weight < 1) material.needsUpdate = true;  // another shader
       material.transparent = weight < 1;
       material.depthWrite = weight >= 0.5;
       material.side = backs ? THREE.DoubleSide : THREE.FrontSide;

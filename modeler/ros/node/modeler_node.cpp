@@ -155,7 +155,7 @@ bool ModelerNode::on_reset(std_srvs::Trigger::Request&, std_srvs::Trigger::Respo
 
 bool ModelerNode::on_save(Save::Request& request, Save::Response& response) {
   response = save_response(request.name, keeper_, parameters_.output_dir,
-                           parameters_.lines.options.frames.map);
+                           parameters_.lines.options.frames.map, changed_keys(parameters_.config));
   if (!response.success) ROS_ERROR("Not saved: %s", response.message.c_str());
   return true;
 }

@@ -13,7 +13,8 @@ constexpr const char* kDescription =
     "Models the scan lines of a bag as fast as possible, with the code of the node but without a\n"
     "ROS master. The same bag gives the same planes, byte for byte.\n"
     "Writes planes_before.json (recorded poses, as built on the way), planes_after.{json,ply,bt}\n"
-    "and planes_after_cells.ply (the final model), trajectory.tum and summary.json,"
+    "and planes_after_cells.ply (the final model), report.html (a page to look at it),\n"
+    "trajectory.tum and summary.json,"
     " with --trajectory self trajectory_covariance.csv as well.";
 
 constexpr const char* kFooter =
