@@ -52,7 +52,7 @@ function shaded(colour, normal) {
   return new THREE.Color(colour).multiplyScalar(0.74 + 0.26 * (0.5 + 0.5 * normal.dot(LIGHT)));
 }
 
-const RANGE_MM = 20;  // of a cell's mean distance from its plane: beyond it, colours are full
+const RANGE_MM = 10;  // of a cell's mean distance from its plane: beyond it, colours are full
 const BELOW = [47, 95, 160], NONE = [238, 236, 230], ABOVE = [186, 74, 52];
 
 /** Returns the colour of a cell: blue behind the plane, red before it. */
