@@ -213,13 +213,20 @@ class PageTest(unittest.TestCase):
         self.assertIn("onerror", self.text("#plane h3"))
         self.assertIsNone(self.browser.run("window.hacked ?? null"))
 
-    def test_pages_of_no_one_and_many_planes_open(self):
-        for name, count in [("none.html", "0 planes"), ("one.html", "1 plane"),
-                            ("many.html", "100000 planes")]:
-            with self.subTest(name):
-                self.open(name)
-                self.assertIn(count, self.text("#subtitle"))
-        self.assertGreater(self.drawn_pixels(), 20000)
+    def test_pages_of_no_plane_and_of_one_open(self):
+        self.open("none.html")
+        self.assertIn("0 planes", self.text("#subtitle"))
+        self.open("one.html")
+        self.assertIn("1 plane", self.text("#subtitle"))
+        self.assertGreater(self.drawn_pixels(), 10000)
+
+    def test_a_page_of_100000_planes_opens(self):
+        with Browser() as browser:  # of its own: it draws for long without a graphics card
+            browser.open(pathlib.Path(self.folder) / "many.html")
+            self.assertIn("100000 planes",
+                          browser.run("document.querySelector('#subtitle').textContent"))
+            self.assertEqual(browser.run("report.surfaces[0].parts[0].indices.length"), 100000)
+            self.assertEqual(browser.problems, [])
 
     def test_on_a_phone_nothing_is_cut_off_and_a_tap_chooses(self):
         self.browser.resize(*PHONE, is_phone=True)

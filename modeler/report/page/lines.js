@@ -70,17 +70,16 @@ class Path {
   }
 }
 
-/** Returns the outlines of the true planes and the true way. */
+/** Returns the outlines of the true planes, and the true way. */
 function truthLines(data) {
-  const group = new THREE.Group();
-  if (!data.truth) return group;
+  if (!data.truth) return [];
   const shown = data.truth.planes.filter((plane) => plane.normal.z > -0.8);
   const outlines = outlineSegments(shown, data.centre);
-  group.add(wideLines(outlines, TRUTH, 1.4),
+  const all = [wideLines(outlines, TRUTH, 1.4),
     wideLines(chained(pathPoints(data.truth.trajectory, data.centre)), TRUTH, 1.6,
-      {dashed: true, dashSize: 0.12, gapSize: 0.1}));
-  for (const lines of group.children) if (lines.visible) lines.computeLineDistances();
-  return group;
+      {dashed: true, dashSize: 0.12, gapSize: 0.1})];
+  for (const lines of all) if (lines.visible) lines.computeLineDistances();
+  return all;
 }
 
 /** Returns the outlines of rooms on the floor. */

@@ -19,6 +19,7 @@ class Stage {
     this.controls.addEventListener("change", () => this.change());
     this.controls.addEventListener("start", () => { this.isTurned = true; });
     this.tags = [];
+    this.frames = 0;
     this.onFit = () => {};
     new ResizeObserver(() => this.fit()).observe(view);
     view.addEventListener("keydown", (event) => this.onKey(event));
@@ -102,11 +103,15 @@ class Stage {
 
   fit() {
     const width = Math.max(1, this.view.clientWidth), height = Math.max(1, this.view.clientHeight);
+    if (this.size && this.size[0] === width && this.size[1] === height) return;
+    const isFirst = !this.size;  // nothing is there to be drawn yet
+    this.size = [width, height];
     this.camera.aspect = width / height;
     this.camera.updateProjectionMatrix();
     this.renderer.setSize(width, height, false);
+    if (isFirst) return;
     if (!this.isTurned) this.onFit();
-    this.draw();
+    this.draw();  // at once: a new size empties the picture
   }
 
   /** Draws soon, once for all changes until then. */
@@ -117,6 +122,7 @@ class Stage {
   }
 
   draw() {
+    ++this.frames;
     this.renderer.render(this.scene, this.camera);
     this.placeTags();
   }

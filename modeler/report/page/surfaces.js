@@ -53,7 +53,8 @@ class Part {
     for (const index of indices) {
       const plane = model.planes[index];
       this.addPlane(plane, centre, points, triangles, edges);
-      while (normals.length < edges.length) normals.push(...plane.normal.toArray());
+      const {x, y, z} = plane.normal;
+      while (normals.length < edges.length) normals.push(x, y, z);
     }
     this.mesh = new THREE.Mesh(geometryOf(points, triangles), new THREE.MeshBasicMaterial(
       {vertexColors: true, polygonOffset: true, polygonOffsetFactor: 1, polygonOffsetUnits: 1}));
@@ -70,9 +71,9 @@ class Part {
       const flat = rings.map(pointsOfRing);
       const first = points.length / 3;
       for (const ring of flat) {
-        const corners = ring.map((p) => pointOn(plane, p.x, p.y, centre).toArray());
-        points.push(...corners.flat());
-        corners.forEach((corner, i) => edges.push(...corner, ...corners[(i + 1) % corners.length]));
+        const begin = points.length;
+        appendCorners(plane, ring, centre, points);
+        appendClosed(points, begin, edges);
       }
       for (const face of THREE.ShapeUtils.triangulateShape(flat[0].slice(), flat.slice(1))) {
         triangles.push(...face.map((corner) => first + corner));
@@ -124,6 +125,25 @@ function pointsOfRing(ring) {
   return points;
 }
 
+/** Appends the corners of a ring on a plane: x, y, z, x, ... A ring may have very many. */
+function appendCorners(plane, ring, centre, points) {
+  const {origin, axis_u, axis_v} = plane;
+  const x = origin.x - centre.x, y = origin.y - centre.y, z = origin.z - centre.z;
+  for (const p of ring) {
+    points.push(x + p.x * axis_u.x + p.y * axis_v.x, y + p.x * axis_u.y + p.y * axis_v.y,
+      z + p.x * axis_u.z + p.y * axis_v.z);
+  }
+}
+
+/** Appends the closed line through the points from "begin" on, as pairs of points. */
+function appendClosed(points, begin, edges) {
+  for (let at = begin; at < points.length; at += 3) {
+    const next = at + 3 < points.length ? at + 3 : begin;
+    edges.push(points[at], points[at + 1], points[at + 2],
+      points[next], points[next + 1], points[next + 2]);
+  }
+}
+
 function geometryOf(points, triangles = null) {
   const geometry = new THREE.BufferGeometry();
   geometry.setAttribute("position", new THREE.BufferAttribute(new Float32Array(points), 3));
@@ -143,8 +163,9 @@ function outlineSegments(planes, centre) {
   const segments = [];
   for (const plane of planes) {
     for (const ring of plane.rings.flat()) {
-      const corners = pointsOfRing(ring).map((p) => pointOn(plane, p.x, p.y, centre).toArray());
-      corners.forEach((corner, i) => segments.push(...corner, ...corners[(i + 1) % corners.length]));
+      const points = [];
+      appendCorners(plane, pointsOfRing(ring), centre, points);
+      appendClosed(points, 0, segments);
     }
   }
   return segments;
