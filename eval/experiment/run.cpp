@@ -6,6 +6,7 @@
 
 #include "modeler/io/config_file.hpp"
 #include "modeler/program/installed_files.hpp"
+#include "modeler/report/changed_keys.hpp"
 
 namespace ribbon_mapper::eval {
 namespace {
@@ -64,6 +65,7 @@ Results make_run(const RunOptions& run, const ProgressCallback& progress) {
       run_experiment(world, load_route(run), tour_config(run), config, closure_of(run), progress);
   results.summary.run = with_portable_names(run);
   results.summary.command = command_of(run);
+  results.parameters = changed_keys(config);
   return results;
 }
 

@@ -7,6 +7,7 @@
 #include <nlohmann/json.hpp>
 
 #include "eval/metrics/outline_iou.hpp"
+#include "eval/results/report_page.hpp"
 #include "modeler/geometry/angles.hpp"
 #include "modeler/io/colour.hpp"
 #include "modeler/io/planes_json.hpp"
@@ -95,6 +96,7 @@ FileSet staged_results(const Results& results, const std::filesystem::path& dire
   files.add("trajectory_truth.tum", to_tum(results.trajectory_truth, label.run));
   if (results.rooms) files.add("rooms.json", rooms_to_json(*results.rooms, label));
   files.add("figure.json", figure_data(results, label.run));
+  files.add("report.html", report_page(results, before, truth, label.run));
   add_model(results.models.corrected, label, "planes_after", SurfaceConfig{}.stripe_gap_m, files,
             results.labels);
   return files;

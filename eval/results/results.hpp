@@ -10,6 +10,7 @@
 #include "eval/metrics/patch.hpp"
 #include "eval/results/summary.hpp"
 #include "modeler/geometry/pose.hpp"
+#include "modeler/report/changed_keys.hpp"
 #include "modeler/semantics/plane_label.hpp"
 #include "modeler/semantics/rooms.hpp"
 #include "modeler/storage/file_set.hpp"
@@ -37,6 +38,8 @@ struct Results {
   std::vector<StampedPose> trajectory_truth;
   /// Polylines of the world in a top view [m], for the figure.
   std::vector<std::vector<Eigen::Vector2d>> world_outlines;
+  /// Keys of the modeler's configuration that are not at their defaults, if known.
+  std::optional<std::vector<ChangedKey>> parameters;
 };
 
 /// Computes the metrics of the four models and the end drift, and stores them in the summary.
@@ -47,8 +50,8 @@ void evaluate(Results& results);
 /// summary.json, planes_before.json (noisy, as built), planes_noisy.json (noisy, final),
 /// planes_truth.json, planes_after.{json,ply,bt} with planes_after_cells.ply (corrected, final),
 /// rooms.json (if there are rooms), trajectory_{before,after,truth}.tum, trajectory_covariance.csv
-/// (if there are covariances) and figure.json (for draw_figure()). Throws std::runtime_error with
-/// the file, the reason and a remedy.
+/// (if there are covariances) figure.json (for draw_figure()) and report.html (see report_page()).
+/// Throws std::runtime_error with the file, the reason and a remedy.
 FileSet staged_results(const Results& results, const std::filesystem::path& directory);
 
 /// Writes the results as staged_results() and commits them.

@@ -33,15 +33,15 @@ void add_model(const std::vector<Plane>& planes, ModelLabel label, const std::st
 
 std::vector<fs::path> save_model(const std::vector<Plane>& planes, const fs::path& directory,
                                  const std::string& name, double stripe_gap_m,
-                                 const std::string& frame, const std::string& model_file,
-                                 const std::vector<PlaneLabel>& labels) {
+                                 const std::string& frame, const SavedBeside& beside) {
   check_save_name(name);
   ModelLabel label;
   label.frame = frame;
   label.run = run_id_of({planes_to_json(planes, label)});
   FileSet files(directory, name);
-  add_model(planes, label, name, stripe_gap_m, files, labels);
-  if (!model_file.empty()) files.add(name + ".ribbons", model_file);
+  add_model(planes, label, name, stripe_gap_m, files, beside.labels);
+  if (!beside.model_file.empty()) files.add(name + ".ribbons", beside.model_file);
+  if (beside.page) files.add(name + ".html", beside.page(label.run));
   return files.commit();
 }
 

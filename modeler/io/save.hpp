@@ -3,6 +3,7 @@
 #pragma once
 
 #include <filesystem>
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -23,15 +24,24 @@ void check_save_name(const std::string& name);
 void add_model(const std::vector<Plane>& planes, ModelLabel label, const std::string& name,
                double stripe_gap_m, FileSet& files, const std::vector<PlaneLabel>& labels = {});
 
+/// A function that returns the bytes of a file of a run, given the run's id.
+using FileOfRun = std::function<std::string(const std::string& run)>;
+
+/// What is saved beside the planes of a model.
+struct SavedBeside {
+  std::string model_file;          ///< bytes of a model file; empty: none
+  std::vector<PlaneLabel> labels;  ///< of the planes, in their order; empty: none
+  FileOfRun page;                  ///< makes a page to look at; empty: none
+};
+
 /// Writes the four files of a model, as add_model(), into `directory`, which is created if needed,
-/// and <name>.ribbons with the bytes of a model file, unless there are none. They are a set of this
-/// name, see FileSet. Returns their paths. Throws std::invalid_argument for a bad name, and
+/// and, if they are given, the model file <name>.ribbons and the page <name>.html. They are a set
+/// of this name, see FileSet. Returns their paths. Throws std::invalid_argument for a bad name, and
 /// std::runtime_error with the file, the reason and a remedy.
 std::vector<std::filesystem::path> save_model(const std::vector<Plane>& planes,
                                               const std::filesystem::path& directory,
                                               const std::string& name, double stripe_gap_m,
                                               const std::string& frame = "map",
-                                              const std::string& model_file = "",
-                                              const std::vector<PlaneLabel>& labels = {});
+                                              const SavedBeside& beside = {});
 
 }  // namespace ribbon_mapper

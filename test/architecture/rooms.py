@@ -29,7 +29,7 @@ _CORE = {
 _METHOD = [f"modeler/{name}" for name in _CORE]
 _MODELER = _METHOD + ["modeler"]
 _TOOLS = _MODELER + ["modeler/calibration", "modeler/storage", "modeler/io", "modeler/map_files",
-                     "modeler/mesh", "modeler/model_file", "modeler/program"]
+                     "modeler/mesh", "modeler/model_file", "modeler/report", "modeler/program"]
 _ROS = ["modeler/ros/messages", "modeler/ros/intake", "modeler/ros/node"]
 _SIM = ["sim/shapes", "sim/sdf", "sim/world", "sim/rays", "sim/robot", "sim/tour", "sim/truth"]
 _POSE = ["modeler/geometry/time.hpp", "modeler/geometry/pose.hpp"]
@@ -46,6 +46,7 @@ ROOMS = {
     "modeler/mesh": Room(_MODELER + ["modeler/storage", "modeler/io"], ["Eigen", "GL", "assimp"]),
     "modeler/model_file": Room(_MODELER + ["modeler/calibration", "modeler/storage", "modeler/io"],
                                ["Eigen"]),
+    "modeler/report": Room(_MODELER, ["Eigen", "nlohmann"]),
     "modeler/program": Room([], ["sys"]),
     "slam/lines": Room(_MODELER, ["Eigen"]),
     "slam/places": Room(_MODELER + ["slam/matching", "slam/lines"], ["Eigen", "tsl"]),

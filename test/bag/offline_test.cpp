@@ -56,8 +56,9 @@ TEST(Offline, TheSameBagGivesTheSameBytes) {
   const TemporaryDirectory a, b;
   write_model(run(kRoom, "pr2.yaml"), a.path());
   write_model(run(kRoom, "pr2.yaml"), b.path());
-  for (const char* name : {"planes_before.json", "planes_after.json", "planes_after.ply",
-                           "planes_after_cells.ply", "planes_after.bt", "trajectory.tum"}) {
+  for (const char* name :
+       {"planes_before.json", "planes_after.json", "planes_after.ply", "planes_after_cells.ply",
+        "planes_after.bt", "trajectory.tum", "report.html"}) {
     EXPECT_GT(content_of(a.path() / name).size(), 100u) << name;
     EXPECT_EQ(content_of(a.path() / name), content_of(b.path() / name)) << name;
   }
@@ -156,8 +157,9 @@ TEST(Offline, AllFilesOfARunNameIt) {
   const auto summary = nlohmann::json::parse(content_of(directory.path() / "summary.json"));
   const auto id = summary.at("run").get<std::string>();
   EXPECT_EQ(id.size(), 16U);
-  for (const char* name : {"planes_before.json", "planes_after.json", "planes_after.ply",
-                           "planes_after_cells.ply", "planes_after.bt", "trajectory.tum"}) {
+  for (const char* name :
+       {"planes_before.json", "planes_after.json", "planes_after.ply", "planes_after_cells.ply",
+        "planes_after.bt", "trajectory.tum", "report.html"}) {
     EXPECT_THAT(content_of(directory.path() / name), HasSubstr(id)) << name;
   }
   for (const char* name : {"planes_before.json", "planes_after.json"}) {

@@ -41,7 +41,8 @@ TEST(Results, WritesTheFilesOfTheDemo) {
   for (const char* name :
        {"summary.json", "planes_before.json", "planes_noisy.json", "planes_after.json",
         "planes_after.ply", "planes_after_cells.ply", "planes_after.bt", "planes_truth.json",
-        "trajectory_before.tum", "trajectory_after.tum", "trajectory_truth.tum", "figure.json"}) {
+        "trajectory_before.tum", "trajectory_after.tum", "trajectory_truth.tum", "figure.json",
+        "report.html"}) {
     EXPECT_TRUE(std::filesystem::exists(directory.path() / "run" / name)) << name;
   }
   const auto planes = [&](const char* name) {

@@ -26,6 +26,15 @@ TEST(Save, WritesFourFiles) {
   EXPECT_TRUE(std::filesystem::exists(directory.path() / "models" / "kitchen.json"));
 }
 
+TEST(Save, WritesAPageOfTheSameRun) {
+  const TemporaryDirectory directory;
+  save_model({small_plane()}, directory.path(), "kitchen", kStripeGap_m, "map",
+             [](const std::string& run) { return "run " + run; });
+  const std::string page = content_of(directory.path() / "kitchen.html");
+  EXPECT_THAT(content_of(directory.path() / "kitchen.json"), HasSubstr(page.substr(4)));
+  EXPECT_EQ(page.size(), 4U + 16U);
+}
+
 TEST(Save, AnEmptyModelCanBeSaved) {
   const TemporaryDirectory directory;
   EXPECT_NO_THROW(save_model({}, directory.path(), "empty", kStripeGap_m));

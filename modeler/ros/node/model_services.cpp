@@ -8,6 +8,8 @@
 
 #include "modeler/io/save.hpp"
 #include "modeler/model_file/autosave.hpp"
+#include "modeler/program/version.hpp"
+#include "modeler/report/model_history.hpp"
 #include "modeler/ros/messages/plane_messages.hpp"
 #include "modeler/storage/atomic_file.hpp"
 
@@ -27,6 +29,22 @@ std::string find_defect(const GetModel::Request& request, bool has_before) {
   if (request.which == GetModel::Request::BEFORE_CORRECTION && !has_before)
     return "there was no correction yet";
   return "";
+}
+
+/// Returns a page to look at the model, and at that before the correction if there was one.
+std::string page_of(ModelKeeper& keeper, const ReportHead& head) {
+  const ModelStatistics statistics = keeper.modeler().statistics();
+  const ModelKeeper::Before& before = keeper.before();
+  ModelHistory history{"before the correction", nullptr,
+                       before.trajectory,       "now",
+                       &keeper.planes(),        keeper.modeler().trajectory()};
+  if (statistics.revision > 0 && !before.trajectory.empty()) history.planes_before = &before.planes;
+  Report report = report_of(head, history);
+  report.add_fact("Lines", std::to_string(keeper.log().lines()) + ", " +
+                               std::to_string(keeper.log().dropped_lines()) + " of them dropped");
+  report.add_fact("Ribbons", std::to_string(statistics.ribbons));
+  report.add_fact("Corrections", std::to_string(statistics.revision));
+  return report.html();
 }
 
 }  // namespace
@@ -55,16 +73,20 @@ GetModel::Response model_response(const GetModel::Request& request, ModelKeeper&
 }
 
 Save::Response save_response(const std::string& name, ModelKeeper& keeper,
-                             const std::filesystem::path& directory, const std::string& frame) {
+                             const std::filesystem::path& directory, const std::string& frame,
+                             const std::vector<ChangedKey>& parameters) {
   Save::Response response;
   try {
     check_save_name(name);
     if (is_reserved_name(name)) throw std::invalid_argument(name + " is a name of its own use");
     const std::vector<Plane>& planes = keeper.planes();
     response.message = std::to_string(planes.size()) + " planes written to";
+    const auto page = [&](const std::string& run) {
+      return page_of(keeper, {name, frame, run, "ribbon_mapper " + version(), "", parameters});
+    };
     for (const std::filesystem::path& file :
-         save_model(planes, directory, name, keeper.stripe_gap_m(), frame, keeper.file_bytes(frame),
-                    keeper.labels()))
+         save_model(planes, directory, name, keeper.stripe_gap_m(), frame,
+                    {keeper.file_bytes(frame), keeper.labels(), page}))
       response.message += " " + file.string();
     response.success = true;
   } catch (const std::exception& error) {

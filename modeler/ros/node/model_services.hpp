@@ -9,7 +9,9 @@
 
 #include <filesystem>
 #include <string>
+#include <vector>
 
+#include "modeler/report/changed_keys.hpp"
 #include "modeler/ros/node/model_keeper.hpp"
 
 namespace ribbon_mapper {
@@ -19,10 +21,11 @@ namespace ribbon_mapper {
 GetModel::Response model_response(const GetModel::Request& request, ModelKeeper& keeper,
                                   const std::string& map_frame);
 
-/// Writes the model and its final planes as files below `directory` and returns the answer to
-/// ~save. Errors are part of the answer.
+/// Writes the model and its final planes as files below `directory`, with a page to look at them,
+/// and returns the answer to ~save. `parameters` are for the page. Errors are part of the answer.
 Save::Response save_response(const std::string& name, ModelKeeper& keeper,
-                             const std::filesystem::path& directory, const std::string& frame);
+                             const std::filesystem::path& directory, const std::string& frame,
+                             const std::vector<ChangedKey>& parameters);
 
 /// Replaces the model by one that ~save has written below `directory`, and returns the answer to
 /// ~load. A model with ribbons is written there first, as kBeforeLoad. Errors are part of the

@@ -5,6 +5,7 @@
 
 #include <chrono>
 #include <cstdio>
+#include <string>
 
 #include "modeler/program/process_cost.hpp"
 #include "modeler/program/progress_bar.hpp"
@@ -17,7 +18,7 @@ namespace {
 using namespace ribbon_mapper;
 using Clock = std::chrono::steady_clock;
 
-void run(const OfflineOptions& options) {
+void run(const OfflineOptions& options, const std::string& command) {
   const Clock::time_point start = Clock::now();
   create_directory_for_files(options.output);  // better now than after the work
   OfflineRun run;
@@ -29,6 +30,7 @@ void run(const OfflineOptions& options) {
   run.summary.wall_s = std::chrono::duration<double>(Clock::now() - start).count();
   run.summary.cpu_s = cost.cpu_s;
   run.summary.peak_memory_mib = cost.peak_memory_mib;
+  run.command = command;
   write_model(run, options.output, options.with_figure);
   std::printf("%sresults in %s\n", summary_text(run.summary).c_str(), options.output.c_str());
 }
@@ -40,7 +42,9 @@ int main(int argc, char** argv) {
     const auto options = parse_offline_options(argc, argv);
     if (const int* exit_code = std::get_if<int>(&options)) return *exit_code;
     ros::Time::init();
-    run(std::get<OfflineOptions>(options));
+    std::string command = "rosrun ribbon_mapper offline_modeler";
+    for (int i = 1; i < argc; ++i) command += std::string(" ") + argv[i];
+    run(std::get<OfflineOptions>(options), command);
     return 0;
   });
 }

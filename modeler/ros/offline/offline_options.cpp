@@ -13,8 +13,9 @@ constexpr const char* kDescription =
     "Models the scan lines of a bag as fast as possible, with the code of the node but without a\n"
     "ROS master. The same bag gives the same planes, byte for byte.\n"
     "Writes planes_before.json (recorded poses, as built on the way), planes_after.{json,ply,bt}\n"
-    "and planes_after_cells.ply (the final model), model.ribbons (to be loaded again),\n"
-    "trajectory.tum and summary.json, with --trajectory self trajectory_covariance.csv as well.";
+    "and planes_after_cells.ply (the final model), report.html (a page to look at it),\n"
+    "model.ribbons (to be loaded again), trajectory.tum and summary.json, with --trajectory self\n"
+    "trajectory_covariance.csv as well.";
 
 constexpr const char* kFooter =
     "Not sure what is in the bag? `bag_check FILE` lists it and reports what is wrong.\n"

@@ -23,6 +23,7 @@
 #include "modeler/ros/node/model_keeper.hpp"
 #include "modeler/ros/node/turn_check.hpp"
 #include "modeler/ros/offline/base_scans.hpp"
+#include "modeler/ros/offline/offline_page.hpp"
 #include "modeler/storage/file_set.hpp"
 #include "modeler/surface/outline.hpp"
 #include "slam/tilting/trajectory_estimate.hpp"
@@ -230,12 +231,14 @@ OfflineRun model_bags(const OfflineOptions& options, const ProgressCallback& pro
   require_ribbons(keeper, run.summary);
 
   run.planes_before = with_outlines(keeper.modeler().planes_as_built(), config.surface);
+  run.trajectory_before = keeper.modeler().trajectory();
   const auto poses = final_poses(options, modelling, run);
   if (!poses.empty()) keeper.correct(poses);
   if (const auto text = modelling.turns.contradiction(poses)) run.summary.notes.push_back(*text);
   run.planes_after = keeper.planes();
   run.stripe_gap_m = config.surface.stripe_gap_m;
   run.frame = options.bag.intake.frames.map;
+  run.parameters = changed_keys(config);
   run.trajectory = keeper.modeler().trajectory();
   run.model_file = keeper.file_bytes(run.frame);
   if (options.with_maps) run.maps = maps_of(keeper, config.maps);
@@ -256,6 +259,7 @@ void write_model(const OfflineRun& run, const std::filesystem::path& directory, 
   }
   files.add(std::string("model") + kModelFileEnding, run.model_file);
   files.add("summary.json", summary_to_json(run.summary, label.run));
+  files.add("report.html", offline_page(run, label.run));
   add_model(run.planes_after, label, "planes_after", run.stripe_gap_m, files);
   if (run.maps) add_maps(*run.maps, label, "map", files);
   if (with_figure) draw_figure(Figure::model_views, files.folder(), directory);

@@ -9,6 +9,7 @@
 #include "modeler/chain/matrix6.hpp"
 #include "modeler/maps/model_maps.hpp"
 #include "modeler/program/progress.hpp"
+#include "modeler/report/changed_keys.hpp"
 #include "modeler/ros/offline/offline_options.hpp"
 #include "modeler/ros/offline/offline_summary.hpp"
 #include "modeler/surface/plane.hpp"
@@ -23,10 +24,13 @@ struct OfflineRun {
   std::vector<Plane> planes_after;                     ///< the final model
   double stripe_gap_m = SurfaceConfig{}.stripe_gap_m;  ///< as configured, for the mesh
   std::string frame = "map";                           ///< frame of the model
+  std::vector<StampedPose> trajectory_before;          ///< acquisition poses as recorded
   std::vector<StampedPose> trajectory;                 ///< acquisition poses of the final model
   std::string model_file;                              ///< bytes of a model file
   std::vector<Matrix6> covariances;                    ///< of an estimate, by pose of `trajectory`
   std::optional<ModelMaps> maps;                       ///< of the final model, if asked for
+  std::vector<ChangedKey> parameters;                  ///< of the modeler, see changed_keys()
+  std::string command;                                 ///< the command line; may be empty
 };
 
 /// Models the bags and evaluates the model with the final poses. Throws std::runtime_error or
@@ -34,9 +38,9 @@ struct OfflineRun {
 /// no line could be modelled.
 OfflineRun model_bags(const OfflineOptions& options, const ProgressCallback& progress);
 
-/// Writes the files of the model and the summary, and draws model_views.png if asked to. They are
-/// one set, see FileSet, and state the same run. Throws std::runtime_error with the file, the
-/// reason and a remedy.
+/// Writes the files of the model, report.html and the summary, and draws model_views.png if asked
+/// to. They are one set, see FileSet, and state the same run. Throws std::runtime_error with the
+/// file, the reason and a remedy.
 void write_model(const OfflineRun& run, const std::filesystem::path& directory,
                  bool with_figure = false);
 
