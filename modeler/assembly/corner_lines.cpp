@@ -52,7 +52,8 @@ class CornerJoiner {
     for (const Outline& outline : plane_.outlines) {
       Outline moved{joined(outline.outer), {}};
       for (const auto& hole : outline.holes) moved.holes.push_back(joined(hole));
-      outlines.push_back(is_valid(area_of(plane_, moved)) ? std::move(moved) : outline);
+      if (!is_valid(area_of(plane_, moved))) moved = outline;
+      outlines.push_back(std::move(moved));
     }
     return outlines;
   }

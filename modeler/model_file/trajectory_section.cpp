@@ -51,7 +51,7 @@ TrackedPoses read_poses(ByteReader& from) {
 
 /// Reads the change of a correction, which may move far away.
 Pose read_change(ByteReader& from) {
-  const Pose change = read_matrix(from);
+  Pose change = read_matrix(from);
   Pose rotation = Pose::Identity();
   rotation.linear() = change.linear();
   if (find_defect(rotation) || !(change.translation().norm() < kLargest_m)) {

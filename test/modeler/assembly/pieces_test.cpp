@@ -41,7 +41,8 @@ TEST(Split, SplitsAtWideGaps) {
   EXPECT_NEAR(3.0, pieces[1].fit().mean.x(), 1e-6);
 }
 
-/// Returns two table tops of 2 m2 and 1 m2 in line, 0.5 m apart, and a third of 0.2 m2 between them.
+/// Returns two table tops of 2 m2 and 1 m2 in line, 0.5 m apart, and a third of 0.2 m2 between
+/// them.
 Scene tables(double z_m) {
   Scene scene;
   scene.add(patch({1.0, 0.0, z_m}, Vector::UnitX(), 2.0 * Vector::UnitY()));
