@@ -15,7 +15,7 @@ bool is_separated(const std::array<Eigen::Vector3d, 3>& corners, const Eigen::Ve
   return std::min({a, b, c}) > radius || std::max({a, b, c}) < -radius;
 }
 
-Eigen::AlignedBox3d box_of(const VoxelIndex& voxel, double voxel_m, double part) {
+Eigen::AlignedBox3d box_of(const MapVoxel& voxel, double voxel_m, double part) {
   const Eigen::Vector3d centre =
       voxel_m * (Eigen::Vector3d(voxel[0], voxel[1], voxel[2]) + Eigen::Vector3d::Constant(0.5));
   const Eigen::Vector3d half = Eigen::Vector3d::Constant(0.5 * part * voxel_m);
@@ -57,7 +57,7 @@ void TrueVoxels::add_surface(const sim::Triangle& triangle, const Eigen::Aligned
   for (int x = floor_of(low.x() - kTouch); x <= floor_of(high.x() + kTouch); ++x) {
     for (int y = floor_of(low.y() - kTouch); y <= floor_of(high.y() + kTouch); ++y) {
       for (int z = floor_of(low.z() - kTouch); z <= floor_of(high.z() + kTouch); ++z) {
-        const VoxelIndex voxel{x, y, z};
+        const MapVoxel voxel{x, y, z};
         if (!touches(triangle.corners_m, box_of(voxel, voxel_m_, 1.0 + kTouch))) continue;
         unsigned flags = kTouched;
         if (touches(triangle.corners_m, box_of(voxel, voxel_m_, 0.5))) flags |= kHeld;
@@ -79,7 +79,7 @@ void TrueVoxels::add_beams(const sim::Scan& scan) {
 /// Marks the voxels along a way, in voxels (Amanatides and Woo 1987).
 void TrueVoxels::add_way(const Eigen::Vector3d& from, const Eigen::Vector3d& to) {
   const Eigen::Vector3d way = to - from;
-  VoxelIndex voxel{floor_of(from.x()), floor_of(from.y()), floor_of(from.z())};
+  MapVoxel voxel{floor_of(from.x()), floor_of(from.y()), floor_of(from.z())};
   Eigen::Vector3d next;  // part of the way at which the next voxel along an axis begins
   for (int i = 0; i < 3; ++i) {
     const int border = voxel[static_cast<std::size_t>(i)] + (way[i] > 0.0 ? 1 : 0);
@@ -94,7 +94,7 @@ void TrueVoxels::add_way(const Eigen::Vector3d& from, const Eigen::Vector3d& to)
   }
 }
 
-bool TrueVoxels::is_near(const VoxelIndex& voxel, unsigned flag) const {
+bool TrueVoxels::is_near(const MapVoxel& voxel, unsigned flag) const {
   for (int dx = -1; dx <= 1; ++dx) {
     for (int dy = -1; dy <= 1; ++dy) {
       for (int dz = -1; dz <= 1; ++dz) {

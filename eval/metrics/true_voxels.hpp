@@ -29,26 +29,26 @@ class TrueVoxels {
   void add_beams(const sim::Scan& scan);
 
   /// Returns true if a surface touches the voxel.
-  bool touches_surface(const VoxelIndex& voxel) const { return (grid_[voxel] & kTouched) != 0; }
+  bool touches_surface(const MapVoxel& voxel) const { return (grid_[voxel] & kTouched) != 0; }
   /// Returns true if a surface passes the middle half of the voxel, along each axis.
-  bool holds_surface(const VoxelIndex& voxel) const { return (grid_[voxel] & kHeld) != 0; }
+  bool holds_surface(const MapVoxel& voxel) const { return (grid_[voxel] & kHeld) != 0; }
   /// Returns true if a beam passed the voxel.
-  bool was_passed(const VoxelIndex& voxel) const { return (grid_[voxel] & kPassed) != 0; }
+  bool was_passed(const MapVoxel& voxel) const { return (grid_[voxel] & kPassed) != 0; }
   /// Returns true if a beam passed the voxel or one of its 26 neighbours.
-  bool was_passed_near(const VoxelIndex& voxel) const { return is_near(voxel, kPassed); }
+  bool was_passed_near(const MapVoxel& voxel) const { return is_near(voxel, kPassed); }
   /// Returns true if a surface touches the voxel or one of its 26 neighbours.
-  bool is_near_surface(const VoxelIndex& voxel) const { return is_near(voxel, kTouched); }
+  bool is_near_surface(const MapVoxel& voxel) const { return is_near(voxel, kTouched); }
   /// Calls function(voxel) for each voxel that a beam passed and that no surface touches.
   template <typename Function>
   void for_each_free(const Function& function) const {
-    grid_.for_each([&](const VoxelIndex& voxel, std::uint8_t flags) {
+    grid_.for_each([&](const MapVoxel& voxel, std::uint8_t flags) {
       if ((flags & (kPassed | kTouched)) == kPassed) function(voxel);
     });
   }
 
  private:
   static constexpr unsigned kTouched = 1, kHeld = 2, kPassed = 4;
-  bool is_near(const VoxelIndex& voxel, unsigned flag) const;
+  bool is_near(const MapVoxel& voxel, unsigned flag) const;
   void add_surface(const sim::Triangle& triangle, const Eigen::AlignedBox3d& box);
   void add_way(const Eigen::Vector3d& from, const Eigen::Vector3d& to);
 

@@ -15,7 +15,7 @@ double share(std::size_t part, std::size_t whole) {
 template <typename Predicate>
 bool any_of_column(int x, int y, int z_begin, int z_end, const Predicate& is_so) {
   for (int z = z_begin; z < z_end; ++z) {
-    if (is_so(VoxelIndex{x, y, z})) return true;
+    if (is_so(MapVoxel{x, y, z})) return true;
   }
   return false;
 }
@@ -31,7 +31,7 @@ double LevelAgreement::right() const { return share(free_right + occupied_right,
 
 VoxelAgreement agreement_of(const VoxelMap& map, const TrueVoxels& truth) {
   VoxelAgreement result;
-  map.for_each([&](const VoxelIndex& voxel, VoxelState state) {
+  map.for_each([&](const MapVoxel& voxel, VoxelState state) {
     if (state == VoxelState::occupied) {
       ++result.occupied;
       if (truth.is_near_surface(voxel)) ++result.occupied_near;
@@ -44,7 +44,7 @@ VoxelAgreement agreement_of(const VoxelMap& map, const TrueVoxels& truth) {
       }
     }
   });
-  truth.for_each_free([&](const VoxelIndex& voxel) {
+  truth.for_each_free([&](const MapVoxel& voxel) {
     ++result.truly_free;
     if (map[voxel] == VoxelState::free) ++result.truly_free_found;
   });
@@ -62,11 +62,11 @@ LevelAgreement agreement_of(const NavigationMap& map, const TrueVoxels& truth, d
     const int x = x0 + static_cast<int>(i % map.width), y = y0 + static_cast<int>(i / map.width);
     if (map.cells[i] == NavigationMap::kFree) {
       ++result.free;
-      const auto is_held = [&](const VoxelIndex& voxel) { return truth.holds_surface(voxel); };
+      const auto is_held = [&](const MapVoxel& voxel) { return truth.holds_surface(voxel); };
       if (!any_of_column(x, y, z_begin, z_end, is_held)) ++result.free_right;
     } else if (map.cells[i] == NavigationMap::kOccupied) {
       ++result.occupied;
-      const auto is_near = [&](const VoxelIndex& voxel) { return truth.is_near_surface(voxel); };
+      const auto is_near = [&](const MapVoxel& voxel) { return truth.is_near_surface(voxel); };
       if (any_of_column(x, y, z_begin, z_end, is_near)) ++result.occupied_right;
     }
   }

@@ -55,7 +55,7 @@ octomap::OcTree tree_of(const VoxelMap& voxels) {
   constexpr bool kInnerNodesLater = true;
   constexpr int kMiddle = 32768;  // key of the first voxel on the positive side
   octomap::OcTree tree(voxels.voxel_m());
-  voxels.for_each([&](const VoxelIndex& voxel, VoxelState state) {
+  voxels.for_each([&](const MapVoxel& voxel, VoxelState state) {
     const auto key = [&](std::size_t axis) {
       return static_cast<octomap::key_type>(voxel[axis] + kMiddle);
     };

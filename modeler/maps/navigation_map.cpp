@@ -16,7 +16,7 @@ struct Columns {
   std::int32_t x_begin = std::numeric_limits<std::int32_t>::max(), y_begin = x_begin;
   std::int32_t x_end = std::numeric_limits<std::int32_t>::min(), y_end = x_end;
 
-  void extend(const VoxelIndex& voxel) {
+  void extend(const MapVoxel& voxel) {
     x_begin = std::min(x_begin, voxel[0]), x_end = std::max(x_end, voxel[0] + 1);
     y_begin = std::min(y_begin, voxel[1]), y_end = std::max(y_end, voxel[1] + 1);
   }
@@ -76,14 +76,14 @@ NavigationMap make_navigation_map(const VoxelMap& voxels, const SightLines& sigh
   NavigationMap map;
   const double voxel_m = map.cell_m = voxels.voxel_m();
   Columns columns;
-  voxels.for_each([&](const VoxelIndex& voxel, VoxelState) { columns.extend(voxel); });
+  voxels.for_each([&](const MapVoxel& voxel, VoxelState) { columns.extend(voxel); });
   if (columns.x_begin >= columns.x_end) return map;
   map.corner_m =
       voxels.origin().head<2>() + voxel_m * Eigen::Vector2d(columns.x_begin, columns.y_begin);
   map.width = columns.width(), map.height = columns.height();
   const std::vector<float> floors_m = floor_heights_m(columns, sights, voxel_m);
   std::vector<Column> seen(floors_m.size());
-  voxels.for_each([&](const VoxelIndex& voxel, VoxelState state) {
+  voxels.for_each([&](const MapVoxel& voxel, VoxelState state) {
     const std::size_t i = columns.index(voxel[0], voxel[1]);
     const double height_m = (voxel[2] + 0.5) * voxel_m - static_cast<double>(floors_m[i]);
     if (!(height_m >= config.obstacle_min_m && height_m < config.obstacle_max_m)) return;

@@ -60,7 +60,7 @@ class TriangleVoxels {
 
   void visit_row(std::int32_t row, std::int32_t begin, std::int32_t end) const {
     const float at_row = height_ + slope_row_ * (static_cast<float>(row) + 0.5F);
-    VoxelIndex voxel{};
+    MapVoxel voxel{};
     voxel[(up + 2) % 3] = row;
     for (std::int32_t column = begin; column < end; ++column) {
       const float height = at_row + slope_column_ * (static_cast<float>(column) + 0.5F);

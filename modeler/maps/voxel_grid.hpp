@@ -17,10 +17,10 @@
 namespace ribbon_mapper {
 
 /// The integer coordinates of a voxel: it covers [i, i + 1) voxels along each axis.
-using VoxelIndex = std::array<std::int32_t, 3>;
+using MapVoxel = std::array<std::int32_t, 3>;
 
 /// Returns the voxel that holds a point, given in units of voxels.
-inline VoxelIndex voxel_at(const Eigen::Vector3f& point) {
+inline MapVoxel voxel_at(const Eigen::Vector3f& point) {
   return {floor_to_int(point.x()), floor_to_int(point.y()), floor_to_int(point.z())};
 }
 
@@ -32,13 +32,13 @@ class VoxelGrid {
   static constexpr std::size_t kBlockSize = std::size_t{1} << 3 * kBlockBits;  ///< bytes of a block
 
   /// Returns the byte of a voxel to be changed.
-  std::uint8_t& at(const VoxelIndex& voxel) {
+  std::uint8_t& at(const MapVoxel& voxel) {
     if (!is_in_last_block(voxel)) find_or_add(voxel);
     return blocks_[last_block_][offset_of(voxel)];
   }
 
   /// Returns the byte of a voxel.
-  std::uint8_t operator[](const VoxelIndex& voxel) const {
+  std::uint8_t operator[](const MapVoxel& voxel) const {
     const auto found = index_.find(block_key(voxel));
     return found == index_.end() ? std::uint8_t{0} : blocks_[found->second][offset_of(voxel)];
   }
@@ -49,7 +49,7 @@ class VoxelGrid {
     std::vector<std::pair<std::uint64_t, std::uint32_t>> order(index_.begin(), index_.end());
     std::sort(order.begin(), order.end());
     for (const auto& [key, block] : order) {
-      const VoxelIndex corner = corner_of(key);
+      const MapVoxel corner = corner_of(key);
       for (std::size_t i = 0; i < kBlockSize; ++i) {
         const std::uint8_t value = blocks_[block][i];
         if (value != 0) function(voxel_in(corner, static_cast<std::int32_t>(i)), value);
@@ -61,7 +61,7 @@ class VoxelGrid {
   template <typename Function>
   void change(const Function& function) {
     for (const auto& [key, block] : index_) {
-      const VoxelIndex corner = corner_of(key);
+      const MapVoxel corner = corner_of(key);
       for (std::size_t i = 0; i < kBlockSize; ++i) {
         std::uint8_t& value = blocks_[block][i];
         value = function(voxel_in(corner, static_cast<std::int32_t>(i)), value);
@@ -81,7 +81,7 @@ class VoxelGrid {
   static constexpr std::int32_t kMask = (1 << kBlockBits) - 1;
   using Block = std::array<std::uint8_t, kBlockSize>;
 
-  static std::uint64_t block_key(const VoxelIndex& voxel) {
+  static std::uint64_t block_key(const MapVoxel& voxel) {
     std::uint64_t key = 0;
     for (const std::int32_t i : voxel) {
       const std::int32_t block = (i >> kBlockBits) + kKeyMiddle;
@@ -89,28 +89,28 @@ class VoxelGrid {
     }
     return key;
   }
-  static std::size_t offset_of(const VoxelIndex& voxel) {
+  static std::size_t offset_of(const MapVoxel& voxel) {
     return static_cast<std::size_t>(((voxel[0] & kMask) << 2 * kBlockBits) |
                                     ((voxel[1] & kMask) << kBlockBits) | (voxel[2] & kMask));
   }
-  static VoxelIndex corner_of(std::uint64_t key) {
-    VoxelIndex corner{};
+  static MapVoxel corner_of(std::uint64_t key) {
+    MapVoxel corner{};
     for (std::size_t axis = 3; axis-- > 0; key >>= kKeyBits) {
       const auto block = static_cast<std::int32_t>(key & ((1U << kKeyBits) - 1U)) - kKeyMiddle;
       corner[axis] = block * (1 << kBlockBits);
     }
     return corner;
   }
-  static VoxelIndex voxel_in(const VoxelIndex& corner, std::int32_t offset) {
+  static MapVoxel voxel_in(const MapVoxel& corner, std::int32_t offset) {
     return {corner[0] + (offset >> 2 * kBlockBits), corner[1] + (offset >> kBlockBits & kMask),
             corner[2] + (offset & kMask)};
   }
-  bool is_in_last_block(const VoxelIndex& voxel) const {
+  bool is_in_last_block(const MapVoxel& voxel) const {
     const std::int32_t difference =
         (voxel[0] ^ last_voxel_[0]) | (voxel[1] ^ last_voxel_[1]) | (voxel[2] ^ last_voxel_[2]);
     return (difference >> kBlockBits) == 0 && !blocks_.empty();
   }
-  void find_or_add(const VoxelIndex& voxel) {
+  void find_or_add(const MapVoxel& voxel) {
     const std::uint64_t key = block_key(voxel);
     const auto found = index_.find(key);
     if (found == index_.end()) {
@@ -125,7 +125,7 @@ class VoxelGrid {
 
   tsl::robin_map<std::uint64_t, std::uint32_t, KeyHash> index_;
   std::vector<Block> blocks_;
-  VoxelIndex last_voxel_{};  // neighbours are written one after the other
+  MapVoxel last_voxel_{};  // neighbours are written one after the other
   std::uint32_t last_block_ = 0;
 };
 

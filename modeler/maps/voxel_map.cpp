@@ -23,7 +23,7 @@ constexpr float kLeastOdds = -2.0F, kMostOdds = 3.5F;  // 0.1192 and 0.971
 constexpr double kMaxVoxels = 32000.0;  // an OctoMap reaches 32768 voxels along an axis
 
 /// Returns a key of a voxel within +-10^6 voxels.
-std::uint64_t key_of(const VoxelIndex& voxel) {
+std::uint64_t key_of(const MapVoxel& voxel) {
   std::uint64_t key = 0;
   for (const std::int32_t i : voxel) {
     key = (key << 21) | (static_cast<std::uint64_t>(i + (1 << 20)) & 0x1fffffU);
@@ -71,7 +71,7 @@ class Carving {
   /// Disputes the voxels of loose returns, but those beside a plane: there its noise explains them.
   void dispute_returns() {
     for (const LooseReturn& loose : sights_.returns) {
-      const VoxelIndex voxel = voxel_at(per_voxel_ * loose.point);
+      const MapVoxel voxel = voxel_at(per_voxel_ * loose.point);
       if (grid_[voxel] == kUnknown && !is_beside_plane(voxel)) grid_.at(voxel) = kDisputed;
     }
   }
@@ -89,7 +89,7 @@ class Carving {
 
   /// Decides the disputes and hands the grid over.
   VoxelGrid decided() {
-    grid_.change([this](const VoxelIndex& voxel, std::uint8_t state) {
+    grid_.change([this](const MapVoxel& voxel, std::uint8_t state) {
       if (state != kDisputed) return state;
       return disputes_[key_of(voxel)].odds > 0.0F ? kOccupied : kFree;
     });
@@ -102,7 +102,7 @@ class Carving {
     std::uint32_t line = ~0U;  // the last one that was counted
   };
 
-  bool is_beside_plane(const VoxelIndex& voxel) const {
+  bool is_beside_plane(const MapVoxel& voxel) const {
     for (int dx = -1; dx <= 1; ++dx) {
       for (int dy = -1; dy <= 1; ++dy) {
         for (int dz = -1; dz <= 1; ++dz) {
@@ -112,17 +112,17 @@ class Carving {
     }
     return false;
   }
-  void count(const VoxelIndex& voxel, float odds) {
+  void count(const MapVoxel& voxel, float odds) {
     Dispute& dispute = disputes_[key_of(voxel)];
     if (dispute.line == line_) return;  // a hit counts before all that pass in the same line
     dispute.line = static_cast<std::uint32_t>(line_);
     dispute.odds = std::clamp(dispute.odds + odds, kLeastOdds, kMostOdds);
   }
   void hit(const LooseReturn& loose) {
-    const VoxelIndex voxel = voxel_at(per_voxel_ * loose.point);
+    const MapVoxel voxel = voxel_at(per_voxel_ * loose.point);
     if (grid_[voxel] == kDisputed) count(voxel, kHit);
   }
-  void pass(const VoxelIndex& voxel) {
+  void pass(const MapVoxel& voxel) {
     std::uint8_t& state = grid_.at(voxel);
     if (state == kUnknown) {
       state = kFree;
@@ -135,7 +135,7 @@ class Carving {
       return sensor + fan.free_part * (per_voxel_ * point - sensor);
     };
     for_each_voxel_of_triangle({sensor, end(fan.first), end(fan.last)},
-                               [this](const VoxelIndex& voxel) { pass(voxel); });
+                               [this](const MapVoxel& voxel) { pass(voxel); });
   }
   void carve_way(const Eigen::Vector3f& sensor, const LooseReturn& loose) {
     if (loose.has_fan) return;
@@ -143,7 +143,7 @@ class Carving {
     const float length = way.norm();
     if (length <= margin_) return;
     for_each_voxel_of_way(sensor, sensor + (1.0F - margin_ / length) * way,
-                          [this](const VoxelIndex& voxel) {
+                          [this](const MapVoxel& voxel) {
                             std::uint8_t& state = grid_.at(voxel);
                             if (state == kUnknown) state = kFree;
                           });

@@ -33,13 +33,13 @@ class VoxelMap {
   /// Returns the corner of voxel (0, 0, 0), in map [m].
   const Eigen::Vector3d& origin() const { return origin_; }
   /// Returns the state of a voxel.
-  VoxelState operator[](const VoxelIndex& voxel) const {
+  VoxelState operator[](const MapVoxel& voxel) const {
     return static_cast<VoxelState>(states_[voxel]);
   }
   /// Calls function(voxel, state) for each voxel that is not unknown, in a fixed order.
   template <typename Function>
   void for_each(const Function& function) const {
-    states_.for_each([&](const VoxelIndex& voxel, std::uint8_t state) {
+    states_.for_each([&](const MapVoxel& voxel, std::uint8_t state) {
       function(voxel, static_cast<VoxelState>(state));
     });
   }

@@ -54,7 +54,7 @@ TEST(TrueVoxels, HoldSurfacesAndTheWayOfBeams) {
   scan.ranges_m = scan.true_ranges_m = {1.01F};
   truth.add_beams(scan);
   std::size_t free = 0;
-  truth.for_each_free([&](const VoxelIndex& voxel) {
+  truth.for_each_free([&](const MapVoxel& voxel) {
     ++free;
     EXPECT_EQ(voxel[1], 2);
     EXPECT_EQ(voxel[2], 2);
@@ -141,7 +141,7 @@ class MapsOfATour : public testing::TestWithParam<const char*> {
 
   Eigen::AlignedBox3d extent() const {
     Eigen::AlignedBox3d extent;
-    maps_->voxels.for_each([&](const VoxelIndex& v, VoxelState) {
+    maps_->voxels.for_each([&](const MapVoxel& v, VoxelState) {
       extent.extend(kVoxel_m * Eigen::Vector3d(v[0] - 3, v[1] - 3, v[2] - 3));
       extent.extend(kVoxel_m * Eigen::Vector3d(v[0] + 4, v[1] + 4, v[2] + 4));
     });

@@ -12,14 +12,14 @@ namespace {
 
 using Corners = std::array<Eigen::Vector3f, 3>;
 
-std::map<VoxelIndex, int> visits_of(const Corners& corners) {
-  std::map<VoxelIndex, int> visits;
-  for_each_voxel_of_triangle(corners, [&](const VoxelIndex& voxel) { ++visits[voxel]; });
+std::map<MapVoxel, int> visits_of(const Corners& corners) {
+  std::map<MapVoxel, int> visits;
+  for_each_voxel_of_triangle(corners, [&](const MapVoxel& voxel) { ++visits[voxel]; });
   return visits;
 }
 
 /// Returns whether the plane of a triangle meets a voxel, grown by a little.
-bool plane_meets(const Corners& corners, const VoxelIndex& voxel) {
+bool plane_meets(const Corners& corners, const MapVoxel& voxel) {
   const Eigen::Vector3f normal =
       (corners[1] - corners[0]).cross(corners[2] - corners[0]).normalized();
   const Eigen::Vector3f centre =
@@ -69,22 +69,22 @@ TEST(TriangleVoxels, ATriangleWithoutAreaHasNone) {
 }
 
 TEST(WayVoxels, FollowTheWayToItsEnd) {
-  std::vector<VoxelIndex> voxels;
+  std::vector<MapVoxel> voxels;
   for_each_voxel_of_way({0.5F, 0.5F, 0.5F}, {-3.5F, 2.5F, 0.5F},
-                        [&](const VoxelIndex& voxel) { voxels.push_back(voxel); });
+                        [&](const MapVoxel& voxel) { voxels.push_back(voxel); });
   ASSERT_EQ(voxels.size(), 4U);
-  EXPECT_EQ(voxels.front(), (VoxelIndex{0, 0, 0}));
-  EXPECT_EQ(voxels.back(), (VoxelIndex{-3, 2, 0}));
+  EXPECT_EQ(voxels.front(), (MapVoxel{0, 0, 0}));
+  EXPECT_EQ(voxels.back(), (MapVoxel{-3, 2, 0}));
 }
 
 TEST(VoxelGrid, KeepsBytesOnBothSidesOfZero) {
   VoxelGrid grid;
-  const std::vector<VoxelIndex> voxels{{0, 0, 0}, {-1, -1, -1}, {-17, 16, 300}, {70000, -70000, 5}};
+  const std::vector<MapVoxel> voxels{{0, 0, 0}, {-1, -1, -1}, {-17, 16, 300}, {70000, -70000, 5}};
   for (std::size_t i = 0; i < voxels.size(); ++i) grid.at(voxels[i]) = std::uint8_t(i + 1);
   for (std::size_t i = 0; i < voxels.size(); ++i) EXPECT_EQ(grid[voxels[i]], i + 1);
   EXPECT_EQ((grid[{1, 0, 0}]), 0);
-  std::map<VoxelIndex, int> visited;
-  grid.for_each([&](const VoxelIndex& voxel, std::uint8_t value) { visited[voxel] = value; });
+  std::map<MapVoxel, int> visited;
+  grid.for_each([&](const MapVoxel& voxel, std::uint8_t value) { visited[voxel] = value; });
   ASSERT_EQ(visited.size(), voxels.size());
   for (std::size_t i = 0; i < voxels.size(); ++i) {
     EXPECT_EQ(visited[voxels[i]], static_cast<int>(i) + 1);

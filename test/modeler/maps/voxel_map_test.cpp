@@ -52,7 +52,7 @@ TEST(VoxelMap, ARoomIsFreeUpToItsWalls) {
   EXPECT_EQ(maps.at(1.0, 0.0, 1.0), VoxelState::free);
   EXPECT_EQ(maps.at(2.9, 0.3, 1.0), VoxelState::free);
   std::size_t outside = 0, free = 0;
-  maps.voxels.for_each([&](const VoxelIndex& voxel, VoxelState state) {
+  maps.voxels.for_each([&](const MapVoxel& voxel, VoxelState state) {
     if (state != VoxelState::free) return;
     ++free;
     const Eigen::Vector3d centre =
@@ -82,7 +82,7 @@ TEST(VoxelMap, ACorrectedModelHasTheMapOfOneThatNeverDrifted) {
   modeler.correct(true_trajectory(lines));
   const Maps corrected(modeler), exact(model_of(with_true_acquisition_poses(lines)));
   std::size_t all = 0, as_drifted = 0, as_corrected = 0;
-  exact.voxels.for_each([&](const VoxelIndex& voxel, VoxelState state) {
+  exact.voxels.for_each([&](const MapVoxel& voxel, VoxelState state) {
     ++all;
     if (drifted.voxels[voxel] == state) ++as_drifted;
     if (corrected.voxels[voxel] == state) ++as_corrected;
@@ -94,7 +94,7 @@ TEST(VoxelMap, ACorrectedModelHasTheMapOfOneThatNeverDrifted) {
 
 TEST(VoxelMap, WithoutLinesItIsEmpty) {
   const Maps maps{Modeler(ModelerConfig{})};
-  maps.voxels.for_each([](const VoxelIndex&, VoxelState) { FAIL(); });
+  maps.voxels.for_each([](const MapVoxel&, VoxelState) { FAIL(); });
   EXPECT_EQ(maps.level.width, 0U);
   EXPECT_TRUE(maps.level.cells.empty());
 }
