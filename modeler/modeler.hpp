@@ -27,8 +27,7 @@ struct ModelStatistics {
   std::optional<NoReturnRange> no_return;  ///< a range that the driver reports for no return
 };
 
-/// A model at rest: all that decides what becomes of it, without its configuration. Lines that
-/// still wait for their neighbours are no part of it.
+/// A model at rest: all that decides what becomes of it, without its configuration.
 struct SavedModel {
   Observations observations;              ///< ribbons, unassigned points and trajectory
   ScanFrontEnd::Parts waiting{};          ///< lines that wait for their neighbours

@@ -70,23 +70,22 @@ class CornerJoiner {
   }
 
   Vector3d joined(const Vector3d& corner) const {
-    std::vector<std::pair<double, const Plane*>> lines;  // by distance
-    Vector3d nearest = corner;
+    std::vector<std::pair<double, const Plane*>> lines;
     for (const Seen* other : neighbours_) {
       const Vector3d place = on_line(corner, *other->plane);
       const double distance_m = (place - corner).norm();
       if (distance_m > reach_m_ || !was_seen_near(*other, place)) continue;
-      if (lines.empty() || distance_m < lines.front().first) nearest = place;
       lines.emplace_back(distance_m, other->plane);
-      std::sort(lines.begin(), lines.end(),
-                [](const auto& a, const auto& b) { return a.first < b.first; });
     }
+    if (lines.empty()) return corner;
+    std::stable_sort(lines.begin(), lines.end(),
+                     [](const auto& a, const auto& b) { return a.first < b.first; });
     for (std::size_t i = 1; i < lines.size(); ++i) {
       if (const auto point = meeting(*lines[0].second, *lines[i].second)) {
         if ((*point - corner).norm() <= 2.0 * reach_m_) return *point;
       }
     }
-    return nearest;
+    return on_line(corner, *lines[0].second);
   }
 
   /// Returns the point nearest to the corner where the plane intersects another one.
