@@ -53,21 +53,45 @@ std::optional<std::size_t> holder_of(
   return std::nullopt;
 }
 
+/// Returns up to Annotations::kMostRibbons of a plane's ribbons, evenly spread.
+std::vector<std::uint32_t> some_of(const std::vector<std::uint32_t>& ribbons) {
+  const std::size_t count = std::min(ribbons.size(), Annotations::kMostRibbons);
+  std::vector<std::uint32_t> some(count);
+  for (std::size_t i = 0; i < count; ++i) some[i] = ribbons[i * ribbons.size() / count];
+  return some;
+}
+
+std::vector<std::uint32_t> parsed_ribbons(const std::string& text) {
+  std::vector<std::uint32_t> ribbons;
+  const char* const end = text.data() + text.size();
+  for (const char* at = text.data(); at != end;) {
+    const auto [next, error] = std::from_chars(at, end, ribbons.emplace_back());
+    if (error != std::errc() || (next != end && *next != ' ')) {
+      throw std::invalid_argument("ribbons are whole numbers, separated by spaces");
+    }
+    at = next == end ? end : next + 1;
+  }
+  return ribbons;
+}
+
 /// Returns one line's annotation and its id.
 std::pair<std::int64_t, Annotation> parsed(const std::string& line) {
   const std::size_t first = line.find('\t');
   const std::size_t second = first == std::string::npos ? first : line.find('\t', first + 1);
+  const std::size_t third = second == std::string::npos ? second : line.find('\t', second + 1);
   std::int64_t id = 0;
-  if (second != std::string::npos) {
+  if (third != std::string::npos) {
     const auto [end, error] = std::from_chars(line.data(), line.data() + first, id);
     if (error == std::errc() && end == line.data() + first && second > first + 1) {
-      Annotation annotation{line.substr(first + 1, second - first - 1), line.substr(second + 1)};
+      Annotation annotation{line.substr(first + 1, second - first - 1),
+                            line.substr(second + 1, third - second - 1),
+                            parsed_ribbons(line.substr(third + 1))};
       check_text(annotation.label, "label", Annotations::kLongestLabel);
       check_text(annotation.note, "note", Annotations::kLongestNote);
       return {id, annotation};
     }
   }
-  throw std::invalid_argument("a line needs id, label and note, separated by tabulators");
+  throw std::invalid_argument("a line needs id, label, note and ribbons, separated by tabulators");
 }
 
 }  // namespace
@@ -85,7 +109,7 @@ void Annotations::set(std::int64_t id, const std::string& label, const std::stri
   if (label.empty()) {
     by_id_.erase(id);
   } else {
-    by_id_[id] = {label, note, plane->ribbons};
+    by_id_[id] = {label, note, some_of(plane->ribbons)};
   }
 }
 
@@ -105,7 +129,7 @@ std::vector<const Annotation*> Annotations::of(const std::vector<Plane>& planes)
       homeless.push_back(&annotation);
       continue;
     }
-    annotation.ribbons = planes[found->second].ribbons;
+    annotation.ribbons = some_of(planes[found->second].ribbons);
     annotations[found->second] = &annotation;
   }
   for (const Annotation* annotation : homeless) {
@@ -120,7 +144,11 @@ std::vector<const Annotation*> Annotations::of(const std::vector<Plane>& planes)
 std::string Annotations::to_text() const {
   std::string text;
   for (const auto& [id, annotation] : by_id_) {
-    text += std::to_string(id) + "\t" + annotation.label + "\t" + annotation.note + "\n";
+    text += std::to_string(id) + "\t" + annotation.label + "\t" + annotation.note + "\t";
+    for (std::size_t i = 0; i < annotation.ribbons.size(); ++i) {
+      text += (i == 0 ? "" : " ") + std::to_string(annotation.ribbons[i]);
+    }
+    text += "\n";
   }
   return text;
 }

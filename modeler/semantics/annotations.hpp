@@ -15,7 +15,7 @@ namespace ribbon_mapper {
 struct Annotation {
   std::string label;  ///< what it is, in the person's words
   std::string note;   ///< anything else; may be empty
-  /// Ribbons of the plane when it was last seen: where it is if its id is gone.
+  /// Some of the plane's ribbons when it was last seen: where it is if its id is gone.
   std::vector<std::uint32_t> ribbons = {};
 };
 
@@ -30,6 +30,8 @@ class Annotations {
   static constexpr std::size_t kLongestLabel = 64;
   /// Longest note [bytes].
   static constexpr std::size_t kLongestNote = 1000;
+  /// Largest number of ribbons that are kept of a plane: enough for a vote.
+  static constexpr std::size_t kMostRibbons = 64;
 
   /// Annotates the plane with this id; an empty label removes its annotation. Throws
   /// std::invalid_argument, and changes nothing, if no plane has the id, the message lists those
@@ -44,7 +46,8 @@ class Annotations {
   /// Returns all annotations by the ids of their planes.
   const std::map<std::int64_t, Annotation>& by_id() const { return by_id_; }
 
-  /// Converts to text, a line for each: id, label and note, separated by tabulators.
+  /// Converts to text, a line for each: id, label, note, and ribbons separated by spaces. Tabulators
+  /// stand between them.
   std::string to_text() const;
 
   /// Reads to_text(). Throws std::invalid_argument with the line that is wrong.

@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <optional>
+#include <map>
 
 #include "eval/experiment/run.hpp"
 #include "eval/experiment/scan_conversion.hpp"
@@ -27,9 +27,17 @@ class MovedThings : public testing::TestWithParam<int> {
     const sim::Route route = load_route(run_);
     const sim::Tour first(before, route, tour_config(run_)),
         second(after, route, tour_config(run_));
-    all_ = modelled(first, second, 0);
-    modeler_.emplace(modelled(first, second, 3));
+    static std::map<int, Models> models_by_seed;  // a tour takes seconds
+    const auto known = models_by_seed.find(GetParam());
+    models_ = known != models_by_seed.end()
+                  ? &known->second
+                  : &models_by_seed.emplace(GetParam(), modelled(first, second)).first->second;
   }
+
+  /// The corrected models of both laps: one keeps all that was seen.
+  struct Models {
+    Modeler all, modeler;
+  };
 
   RunOptions after_run() const {
     RunOptions run = run_;
@@ -37,24 +45,27 @@ class MovedThings : public testing::TestWithParam<int> {
     return run;
   }
 
-  /// Returns the corrected model of both laps.
-  Modeler modelled(const sim::Tour& first, const sim::Tour& second, int passed_lines) const {
-    ModelerConfig config = modeler_config(run_);
-    config.assembly.passed_lines = passed_lines;
-    Modeler modeler(config);
+  Models modelled(const sim::Tour& first, const sim::Tour& second) const {
+    const ModelerConfig config = modeler_config(run_);
+    ModelerConfig keeps_all = config;
+    keeps_all.assembly.passed_lines = 0;
+    Models models{Modeler(keeps_all), Modeler(config)};
     std::vector<StampedPose> poses;
     for (std::size_t i = 0; i < first.line_count(); ++i) {
       const sim::Scan scan = (i < first.line_count() / 2 ? first : second).scan(i);
       const LaserBeams beams = beams_of(scan);
-      modeler.add_scan_line(beams, noisy_poses(first, beams));
+      const LinePoses line_poses = noisy_poses(first, beams);
+      models.all.add_scan_line(beams, line_poses);
+      models.modeler.add_scan_line(beams, line_poses);
       poses.push_back({middle_of(beams), first.true_T_map_base(middle_of(beams))});
     }
-    modeler.correct(poses);
-    return modeler;
+    models.all.correct(poses);
+    models.modeler.correct(poses);
+    return models;
   }
 
   RunOptions run_;
-  std::optional<Modeler> all_, modeler_;
+  const Models* models_ = nullptr;
 };
 
 /// Returns the area of planes like n . p + d = 0.
@@ -69,7 +80,7 @@ double area_m2(const std::vector<Plane>& planes, const Eigen::Vector3d& normal, 
 }
 
 TEST_P(MovedThings, PlanesAreThoseOfTheEnd) {
-  const std::vector<Plane> all = all_->planes(), planes = modeler_->planes();
+  const std::vector<Plane> all = models_->all.planes(), planes = models_->modeler.planes();
   const Eigen::Vector3d x = Eigen::Vector3d::UnitX(), y = Eigen::Vector3d::UnitY();
   EXPECT_GT(area_m2(all, -y, 2.45), 2.0) << "the cupboard was never seen";
   EXPECT_EQ(area_m2(planes, -y, 2.45), 0.0) << "the front of the cupboard where it was";
@@ -80,23 +91,24 @@ TEST_P(MovedThings, PlanesAreThoseOfTheEnd) {
 }
 
 TEST_P(MovedThings, NothingStaticIsLost) {
-  const std::vector<Plane> planes = modeler_->planes();
-  for (const Plane& plane : all_->planes()) {
+  const std::vector<Plane> planes = models_->modeler.planes();
+  for (const Plane& plane : models_->all.planes()) {
     const bool has_moved = area_m2({plane}, -Eigen::Vector3d::UnitY(), 2.45) > 0.0 ||
                            area_m2({plane}, Eigen::Vector3d::UnitX(), 2.4) > 0.0 ||
                            area_m2({plane}, -Eigen::Vector3d::UnitX(), 1.9) > 0.0;
     if (has_moved) continue;
     EXPECT_EQ(area_m2(planes, plane.normal, plane.d_m),
-              area_m2(all_->planes(), plane.normal, plane.d_m))
+              area_m2(models_->all.planes(), plane.normal, plane.d_m))
         << plane.normal.transpose() << " at " << plane.centroid.transpose();
   }
 }
 
 TEST_P(MovedThings, TheLevelMapIsThatOfTheEnd) {
-  const std::vector<Plane> planes = modeler_->planes();
+  const std::vector<Plane> planes = models_->modeler.planes();
   const MapsConfig config;
   const NavigationMap map =
-      make_maps(planes, sight_lines_of(modeler_->observations().posed(), planes, config), config)
+      make_maps(planes, sight_lines_of(models_->modeler.observations().posed(), planes, config),
+                config)
           .level;
   const auto occupied_near = [&](double x, double y) {
     int count = 0;
@@ -117,7 +129,7 @@ TEST_P(MovedThings, TheLevelMapIsThatOfTheEnd) {
   EXPECT_GE(occupied_near(-5.4, -1.0), 8) << "the cupboard where it is";
 }
 
-INSTANTIATE_TEST_SUITE_P(Seeds, MovedThings, testing::Range(1, 4));
+INSTANTIATE_TEST_SUITE_P(Seeds, MovedThings, testing::Range(1, 3));
 
 }  // namespace
 }  // namespace ribbon_mapper::eval

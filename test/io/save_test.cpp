@@ -29,7 +29,7 @@ TEST(Save, WritesFourFiles) {
 TEST(Save, WritesAPageOfTheSameRun) {
   const TemporaryDirectory directory;
   save_model({small_plane()}, directory.path(), "kitchen", kStripeGap_m, "map",
-             [](const std::string& run) { return "run " + run; });
+             {"", {}, [](const std::string& run) { return "run " + run; }});
   const std::string page = content_of(directory.path() / "kitchen.html");
   EXPECT_THAT(content_of(directory.path() / "kitchen.json"), HasSubstr(page.substr(4)));
   EXPECT_EQ(page.size(), 4U + 16U);

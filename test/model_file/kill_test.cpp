@@ -34,7 +34,7 @@ int number_of_kills() {
   for (int i = 0;; i = 1 - i) {
     if (write(pipe, ".", 1) != 1) _exit(1);
     save_model_file(models[i], directory / "autosave.ribbons");
-    save_model(planes[i], directory, "kitchen", 0.5, "map", bytes[i]);
+    save_model(planes[i], directory, "kitchen", 0.5, "map", {bytes[i], {}, {}});
   }
 }
 
@@ -59,7 +59,7 @@ TEST(Kill, DuringASaveLeavesTheOldOrTheNewModelWhole) {
   const std::string bytes[2] = {to_model_file(models[0]), to_model_file(models[1])};
   ASSERT_NE(bytes[0], bytes[1]);
   save_model_file(models[0], directory.path() / "autosave.ribbons");
-  save_model(models[0].planes(), directory.path(), "kitchen", 0.5, "map", bytes[0]);
+  save_model(models[0].planes(), directory.path(), "kitchen", 0.5, "map", {bytes[0], {}, {}});
   std::mt19937 random(1);
   std::set<std::string> seen;
   for (int i = 0; i < number_of_kills(); ++i) {

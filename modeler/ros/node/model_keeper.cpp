@@ -42,8 +42,8 @@ void ModelKeeper::add(const ReadyLine& line) {
 }
 
 void ModelKeeper::correct(const std::vector<StampedPose>& trajectory) {
-  labels();  // notes where annotated planes are
-  Before before{modeler_.planes_as_built(), modeler_.planes(), modeler_.trajectory()};
+  annotations_.of(planes());  // notes where annotated planes are
+  Before before{modeler_.planes_as_built(), planes(), modeler_.trajectory()};
   correction_ms_ = 1e3 * wall_seconds_of([&] { modeler_.correct(trajectory); });
   before_ = std::move(before);
   has_before_ = true;
@@ -82,9 +82,12 @@ void ModelKeeper::forget_history() {
   ++version_;
 }
 
-std::string ModelKeeper::file_bytes(const std::string& map_frame) const {
+std::string ModelKeeper::file_bytes(const std::string& map_frame) {
   std::vector<Section> additions = additions_;
-  if (!annotations_.by_id().empty()) additions.push_back({kAnnotations, annotations_.to_text()});
+  if (!annotations_.by_id().empty()) {
+    annotations_.of(planes());  // notes where annotated planes are
+    additions.push_back({kAnnotations, annotations_.to_text()});
+  }
   return to_model_file(modeler_, map_frame, additions);
 }
 

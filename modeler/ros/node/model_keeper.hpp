@@ -38,7 +38,7 @@ class ModelKeeper {
   /// Returns the model.
   const Modeler& modeler() const { return modeler_; }
   /// Returns the bytes of a model file, see to_model_file().
-  std::string file_bytes(const std::string& map_frame) const;
+  std::string file_bytes(const std::string& map_frame);
   /// Returns SurfaceConfig::stripe_gap_m, for meshes and markers.
   double stripe_gap_m() const { return stripe_gap_m_; }
   /// Returns the statistics of the lines.

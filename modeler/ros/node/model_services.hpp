@@ -36,6 +36,7 @@ Load::Response load_response(const std::string& name, ModelKeeper& keeper,
 /// Goes on from a model file. Returns a sentence on what was loaded and what differs.
 std::string load_into(ModelKeeper& keeper, ModelFile file, const std::filesystem::path& path,
                       const std::string& frame);
+
 /// Annotates a plane and returns the answer to ~annotate. Errors are part of the answer.
 Annotate::Response annotate_response(const Annotate::Request& request, ModelKeeper& keeper);
 

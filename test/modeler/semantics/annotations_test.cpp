@@ -4,6 +4,8 @@
 
 #include <gmock/gmock.h>
 
+#include <numeric>
+
 #include "modeler/semantics/plane_label.hpp"
 #include "test/modeler/semantics/rectangles.hpp"
 
@@ -108,9 +110,28 @@ TEST(Annotations, ComeBackFromText) {
   EXPECT_TRUE(Annotations::from_text("").by_id().empty());
 }
 
+TEST(Annotations, OfMergedPlanesComeBackFromText) {
+  Annotations annotations;
+  const std::vector<Plane> apart{plane_of(1, {0, 1, 2}), plane_of(2, {3, 4})};
+  annotations.set(2, "mine", "", apart);
+  Annotations read = Annotations::from_text(annotations.to_text());
+  EXPECT_EQ(Texts{"mine"}, labels_of(read, {plane_of(1, {0, 1, 2, 3, 4})}));
+  EXPECT_EQ(annotations.to_text(), read.to_text());
+}
+
+TEST(Annotations, KeepFewRibbonsOfALargePlane) {
+  std::vector<std::uint32_t> many(100'000);
+  std::iota(many.begin(), many.end(), 0U);
+  Annotations annotations;
+  annotations.set(1, "a", "", {plane_of(1, many)});
+  EXPECT_EQ(Annotations::kMostRibbons, annotations.by_id().at(1).ribbons.size());
+  EXPECT_GT(annotations.by_id().at(1).ribbons.back(), 90'000U);
+}
+
 TEST(Annotations, AreRefusedIfTheirTextIsDamaged) {
-  for (const std::string bad : {"1", "1\ta", "x\ta\tb", "1\t\tb", "1x\ta\tb", "1\ta\tb\n1\ta\tb",
-                                "99999999999999999999\ta\tb"}) {
+  for (const std::string bad :
+       {"1", "1\ta", "1\ta\tb", "x\ta\tb\t", "1\t\tb\t", "1x\ta\tb\t", "1\ta\tb\t\n1\ta\tb\t",
+        "99999999999999999999\ta\tb\t", "1\ta\tb\tx", "1\ta\tb\t1,2", "1\ta\tb\t-1"}) {
     EXPECT_THAT([&] { Annotations::from_text(bad); },
                 ThrowsMessage<std::invalid_argument>(HasSubstr("line")))
         << bad;
