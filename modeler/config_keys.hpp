@@ -111,7 +111,7 @@ template <typename Section, typename Visitor>
 void visit_maps(Section& section, Visitor& visit) {
   visit("maps.voxel_m", section.voxel_m, 0.01, 1.0);
   visit("maps.surface_margin_m", section.surface_margin_m, 0.0, 1.0);
-  visit("maps.obstacle_min_m", section.obstacle_min_m, -10.0, 10.0);
+  visit("maps.obstacle_min_m", section.obstacle_min_m, 0.0, 10.0);
   visit("maps.obstacle_max_m", section.obstacle_max_m, 0.0, 100.0);
   visit("maps.min_free_share", section.min_free_share, 0.0, 1.0);
 }

@@ -6,8 +6,9 @@ namespace ribbon_mapper {
 
 /// How maps for robots are made: voxels that are free or occupied, and a level map for navigation.
 struct MapsConfig {
-  /// Side of a voxel and of a cell of the level map [m]: that of a plane's cells. In a model that
-  /// reaches further than 1600 m from its origin it is doubled until an OctoMap holds it.
+  /// Side of a voxel and of a cell of the level map [m]: that of a plane's cells. It is doubled
+  /// until an OctoMap holds the model (1600 m from its origin), and memory a level map of 16
+  /// million cells (200 m by 200 m).
   double voxel_m = 0.05;
 
   /// Distance from a surface at which the beams to it stop to carve [m]: 2.5 standard deviations of

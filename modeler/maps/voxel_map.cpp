@@ -4,6 +4,7 @@
 
 #include <tsl/robin_map.h>
 
+#include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
 
@@ -21,6 +22,7 @@ constexpr float kHit = 0.847F;                         // log odds of OctoMap's 
 constexpr float kMiss = -0.405F;                       // 0.4
 constexpr float kLeastOdds = -2.0F, kMostOdds = 3.5F;  // 0.1192 and 0.971
 constexpr double kMaxVoxels = 32000.0;  // an OctoMap reaches 32768 voxels along an axis
+constexpr double kMaxColumns = 16e6;    // of the map for navigation: 400 MB while it is made
 
 /// Returns a key of a voxel within +-10^6 voxels.
 std::uint64_t key_of(const MapVoxel& voxel) {
@@ -31,19 +33,26 @@ std::uint64_t key_of(const MapVoxel& voxel) {
   return key;
 }
 
-double voxel_size_m(const std::vector<Plane>& planes, const SightLines& sights, double size_m) {
-  double reach_m = 0.0;
-  const auto reach = [&](const Eigen::Vector3d& p) {
-    reach_m = std::max(reach_m, p.cwiseAbs().maxCoeff());
-  };
-  for (const SightLine& line : sights.lines) reach(line.sensor.cast<double>());
-  for (const Fan& fan : sights.fans)
-    reach(fan.first.cast<double>()), reach(fan.last.cast<double>());
-  for (const LooseReturn& loose : sights.returns) reach(loose.point.cast<double>());
-  for (const Plane& plane : planes) {
-    for (const PlaneCell& cell : plane.cells) reach(cell_centre(plane, cell) - sights.origin);
+/// Returns the box around all that a map holds, from the origin of the sights [m].
+Eigen::AlignedBox3d box_of(const std::vector<Plane>& planes, const SightLines& sights) {
+  Eigen::AlignedBox3d box;
+  for (const SightLine& line : sights.lines) box.extend(line.sensor.cast<double>());
+  for (const Fan& fan : sights.fans) {
+    box.extend(fan.first.cast<double>()).extend(fan.last.cast<double>());
   }
-  while (reach_m > kMaxVoxels * size_m) size_m *= 2.0;
+  for (const LooseReturn& loose : sights.returns) box.extend(loose.point.cast<double>());
+  for (const Plane& plane : planes) {
+    for (const PlaneCell& cell : plane.cells) box.extend(cell_centre(plane, cell) - sights.origin);
+  }
+  return box;
+}
+
+/// Doubles the side of the voxels until an OctoMap holds the box, and the memory its columns.
+double voxel_size_m(const Eigen::AlignedBox3d& box, double size_m) {
+  if (box.isEmpty()) return size_m;
+  const double reach_m = box.min().cwiseAbs().cwiseMax(box.max().cwiseAbs()).maxCoeff();
+  const double area_m2 = box.sizes().head<2>().prod();
+  while (reach_m > kMaxVoxels * size_m || area_m2 > kMaxColumns * size_m * size_m) size_m *= 2.0;
   return size_m;
 }
 
@@ -160,7 +169,7 @@ class Carving {
 
 VoxelMap make_voxel_map(const std::vector<Plane>& planes, const SightLines& sights,
                         const MapsConfig& config) {
-  const double voxel_m = voxel_size_m(planes, sights, config.voxel_m);
+  const double voxel_m = voxel_size_m(box_of(planes, sights), config.voxel_m);
   Carving carving(sights, config, voxel_m);
   for (const Plane& plane : planes) {
     for (const PlaneCell& cell : plane.cells) carving.occupy(plane, cell);

@@ -18,7 +18,8 @@ namespace ribbon_mapper {
 /// same transform. Ribbons and points must outlive this object.
 class PosedObservations {
  public:
-  /// Poses ribbons and unassigned points at `poses`, which their members `pose` index.
+  /// Poses ribbons and unassigned points at `poses`, which their members `pose` index. There is one
+  /// element of `unassigned` for each pose.
   PosedObservations(const std::vector<Ribbon>& ribbons,
                     const std::vector<UnassignedPoints>& unassigned,
                     const std::vector<StampedPose>& poses)
@@ -56,7 +57,7 @@ class PosedObservations {
     prefetch_lines<64 * sizeof(PackedSample)>(source(index).samples.first);
   }
 
-  /// Returns the unassigned points of all lines.
+  /// Returns the unassigned points of all lines, by pose.
   const std::vector<UnassignedPoints>& unassigned() const { return *unassigned_; }
 
  private:

@@ -150,7 +150,7 @@ std::size_t floors_with_unassigned(double height_m, double sensor_m, double y_m 
     }
   }
   unassigned.first = points.data(), unassigned.size = static_cast<std::uint32_t>(points.size());
-  scene.unassigned.push_back(unassigned);
+  scene.unassigned = {unassigned};
   return planes_of(scene).size();
 }
 

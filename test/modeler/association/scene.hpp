@@ -28,9 +28,9 @@ std::vector<Ribbon> patch(const Eigen::Vector3d& corner, const Eigen::Vector3d& 
 
 /// Ribbons and unassigned points that were all acquired at one pose.
 struct Scene {
-  std::vector<Ribbon> ribbons;                    ///< in the frame of the pose
-  std::vector<UnassignedPoints> unassigned;       ///< in the frame of the pose
-  std::vector<StampedPose> poses{StampedPose{}};  ///< the pose; at first the origin of map
+  std::vector<Ribbon> ribbons;                                   ///< in the frame of the pose
+  std::vector<UnassignedPoints> unassigned{UnassignedPoints{}};  ///< one element, of the pose
+  std::vector<StampedPose> poses{StampedPose{}};                 ///< at first the origin of map
 
   /// Appends ribbons.
   void add(const std::vector<Ribbon>& more) {

@@ -111,6 +111,15 @@ TEST(VoxelMap, FarFromTheOriginVoxelsGrow) {
   EXPECT_EQ(maps.voxels.origin(), Eigen::Vector3d::Zero());
 }
 
+TEST(VoxelMap, OverALargeAreaVoxelsGrow) {
+  SightLines sights;
+  sights.returns = {{{0.0F, 0.0F, 1.0F}, false}, {{390.0F, 390.0F, 1.0F}, false}};
+  sights.lines = {{{1.0F, 0.0F, 1.0F}, 0, 2}};
+  const VoxelMap voxels = make_voxel_map({}, sights, {});
+  EXPECT_DOUBLE_EQ(voxels.voxel_m(), 0.1);
+  EXPECT_LE(make_navigation_map(voxels, sights, {}).cells.size(), 16'000'000U);
+}
+
 TEST(NavigationMap, TellsFreeFromOccupiedAndUnknown) {
   const Maps maps = maps_of(room_with_screen());
   EXPECT_EQ(maps.level_at(1.0, 0.3), NavigationMap::kFree);
