@@ -193,7 +193,32 @@ bool is_same_door(const Passage& a, const Passage& b, const RoomConfig& config) 
   return a.rooms == b.rooms && (middle_a - middle_b).norm() <= config.door_depth_m;
 }
 
+std::vector<Eigen::Vector3d> at_height(const Ring& ring, double z_m) {
+  std::vector<Eigen::Vector3d> points;
+  for (const Eigen::Vector2d& point : ring) points.emplace_back(point.x(), point.y(), z_m);
+  return points;
+}
+
 }  // namespace
+
+std::string room_name(std::size_t index) {
+  std::string name;
+  for (std::size_t left = index + 1; left > 0; left = (left - 1) / 26) {
+    name.insert(name.begin(), static_cast<char>('A' + (left - 1) % 26));
+  }
+  return name;
+}
+
+std::vector<Outline> floor_outlines(const Room& room) {
+  std::vector<Outline> outlines;
+  for (const Polygon& polygon : room.outlines) {
+    outlines.push_back({at_height(polygon.outer, room.centre.z()), {}});
+    for (const Ring& hole : polygon.holes) {
+      outlines.back().holes.push_back(at_height(hole, room.centre.z()));
+    }
+  }
+  return outlines;
+}
 
 Rooms rooms_of(const std::vector<Plane>& planes, const Semantics& semantics,
                const RoomConfig& config) {

@@ -37,11 +37,7 @@ BoundedPlane plane_message(const Plane& plane, bool with_cells) {
   const Eigen::AlignedBox3d box = bounding_box(plane);
   message.bbox_min = point_message(box.min());
   message.bbox_max = point_message(box.max());
-  for (const Outline& outline : plane.outlines) {
-    auto& outline_message = message.outlines.emplace_back();
-    outline_message.outer = polygon_message(outline.outer);
-    for (const auto& hole : outline.holes) outline_message.holes.push_back(polygon_message(hole));
-  }
+  message.outlines = outline_messages(plane.outlines);
   for (int i = 0; i < 9; ++i) message.covariance[i] = plane.covariance(i / 3, i % 3);
   message.axis_u = vector_message(plane.axis_u);
   message.axis_v = vector_message(plane.axis_v);
@@ -53,6 +49,16 @@ BoundedPlane plane_message(const Plane& plane, bool with_cells) {
 }
 
 }  // namespace
+
+std::vector<PlaneOutline> outline_messages(const std::vector<Outline>& outlines) {
+  std::vector<PlaneOutline> messages;
+  for (const Outline& outline : outlines) {
+    PlaneOutline& message = messages.emplace_back();
+    message.outer = polygon_message(outline.outer);
+    for (const auto& hole : outline.holes) message.holes.push_back(polygon_message(hole));
+  }
+  return messages;
+}
 
 PlaneArray plane_array_message(const std::vector<Plane>& planes, const std_msgs::Header& header,
                                std::size_t revision, bool with_cells,

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <ribbon_mapper/PlaneArray.h>
+#include <ribbon_mapper/PlaneOutline.h>
 #include <sensor_msgs/PointCloud2.h>
 #include <std_msgs/Header.h>
 
@@ -12,6 +13,9 @@
 #include "modeler/surface/plane.hpp"
 
 namespace ribbon_mapper {
+
+/// Returns outlines as messages.
+std::vector<PlaneOutline> outline_messages(const std::vector<Outline>& outlines);
 
 /// Returns planes as a message, on request with the centres of their cells. `labels` are those of
 /// the planes, or none.
