@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstdio>
 #include <functional>
 #include <numeric>
@@ -24,15 +25,24 @@ constexpr double kWhiteBehind_m = 0.02;
 /// White planes are pale, so that coloured ones show through them, as in figure 8 of the paper.
 constexpr float kWhiteAlpha = 0.35F;
 
-/// Texts stand this far before their planes, so that these do not hide them.
-constexpr double kTextBefore_m = 0.1;
-constexpr double kLetter_m = 0.12;  // height of a capital letter: 9 pixels in a view of a flat
+/// Height of a capital letter: 10 pixels in a view of a flat.
+constexpr double kLetter_m = 0.18;
+/// Texts face the viewer, and stand this far before their planes, so that these hide no half of
+/// them.
+constexpr double kTextBefore_m = 0.35;
 constexpr double kNormal_m = 0.3;
 constexpr double kOutline_m = 0.015, kEdge_m = 0.03;  // widths of lines
 constexpr double kLineBefore_m = 0.005;               // lines before their planes
 constexpr double kLineShade = 0.45;                   // lines are darker than their planes
 constexpr Colour kEdgeColour{238, 240, 244};
 constexpr Colour kFloorColour{150, 154, 160}, kCeilingColour{196, 200, 206};
+/// Surfaces that fill a screen are calmer than thin lines on paper, by this share of a light grey.
+constexpr double kCalm = 0.35;
+constexpr double kLightGrey = 200.0;
+
+std::uint8_t calmed(std::uint8_t channel) {
+  return static_cast<std::uint8_t>(std::lround((1.0 - kCalm) * channel + kCalm * kLightGrey));
+}
 
 /// Adds the surface of a plane to a marker, drawn `behind_m` behind its front.
 void add_surface(const Plane& plane, double stripe_gap_m, const Colour& colour, double behind_m,
@@ -176,7 +186,9 @@ std::size_t hash_of(const Marker& marker) {
 
 Colour shown_colour(const Plane& plane, Label rule) {
   if (rule == Label::floor) return kFloorColour;
-  return rule == Label::ceiling ? kCeilingColour : plane_colour(plane.id);
+  if (rule == Label::ceiling) return kCeilingColour;
+  const Colour colour = plane_colour(plane.id);
+  return {calmed(colour.red), calmed(colour.green), calmed(colour.blue)};
 }
 
 visualization_msgs::MarkerArray PlaneMarkers::changes(const std::vector<Plane>& planes,

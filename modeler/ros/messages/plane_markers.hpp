@@ -18,7 +18,7 @@
 namespace ribbon_mapper {
 
 /// Returns the colour of a plane for viewers: grey for floors and ceilings by the rules, so that
-/// all else stands out; otherwise plane_colour().
+/// all else stands out; otherwise plane_colour() with less saturation.
 Colour shown_colour(const Plane& plane, Label rule);
 
 /// Markers of the planes for rviz, which shows or hides their namespaces one by one.

@@ -6,9 +6,9 @@
 
 #include <algorithm>
 
-#include "modeler/io/colour.hpp"
 #include "modeler/io/planes_json.hpp"
 #include "modeler/ros/messages/message_conversions.hpp"
+#include "modeler/ros/messages/plane_markers.hpp"
 
 namespace ribbon_mapper {
 namespace {
@@ -76,6 +76,7 @@ PlaneArray plane_array_message(const std::vector<Plane>& planes, const std_msgs:
 }
 
 sensor_msgs::PointCloud2 cell_cloud(const std::vector<Plane>& planes,
+                                    const std::vector<PlaneLabel>& labels,
                                     const std_msgs::Header& header) {
   std::size_t count = 0;
   for (const Plane& plane : planes) count += plane.cells.size();
@@ -86,11 +87,12 @@ sensor_msgs::PointCloud2 cell_cloud(const std::vector<Plane>& planes,
   modifier.resize(count);
   sensor_msgs::PointCloud2Iterator<float> xyz(cloud, "x");
   sensor_msgs::PointCloud2Iterator<std::uint8_t> bgr(cloud, "rgb");
-  for (const Plane& plane : planes) {
-    const Colour colour = plane_colour(plane.id);
+  for (std::size_t i = 0; i < planes.size(); ++i) {
+    const Plane& plane = planes[i];
+    const Colour colour = shown_colour(plane, labels.at(i).rule);
     for (const PlaneCell& cell : plane.cells) {
       const Eigen::Vector3f centre = cell_centre(plane, cell).cast<float>();
-      for (int i = 0; i < 3; ++i) xyz[i] = centre[i];
+      for (int axis = 0; axis < 3; ++axis) xyz[axis] = centre[axis];
       bgr[0] = colour.blue, bgr[1] = colour.green, bgr[2] = colour.red;
       ++xyz, ++bgr;
     }

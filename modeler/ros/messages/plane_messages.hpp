@@ -23,8 +23,10 @@ PlaneArray plane_array_message(const std::vector<Plane>& planes, const std_msgs:
                                std::size_t revision, bool with_cells,
                                const std::vector<PlaneLabel>& labels = {});
 
-/// Returns the centres of the seen cells: x, y, z and rgb, the colour of their plane.
+/// Returns the centres of the seen cells: x, y, z and rgb, the colour of their plane, see
+/// shown_colour(). `labels` are those of the planes.
 sensor_msgs::PointCloud2 cell_cloud(const std::vector<Plane>& planes,
+                                    const std::vector<PlaneLabel>& labels,
                                     const std_msgs::Header& header);
 
 }  // namespace ribbon_mapper

@@ -22,7 +22,7 @@ using visualization_msgs::Marker;
 
 constexpr double kFloorAlpha = 0.55;  // the floor shows through
 constexpr double kAboveFloor_m = 0.02;
-constexpr double kNameAbove_m = 0.6;  // above the label of the floor
+constexpr double kNameAbove_m = 1.3;  // above the label of the floor
 constexpr double kNameLetter_m = 0.22;
 constexpr double kFrame_m = 0.08;  // thickness of a passage's lines
 constexpr Colour kPassage{214, 122, 56};

@@ -67,7 +67,7 @@ void ModelPublisher::publish_planes(ModelKeeper& keeper) {
   if (is_wanted(markers_))
     markers_.publish(
         plane_markers_.changes(planes, keeper.labels(), keeper.stripe_gap_m(), header()));
-  if (is_wanted(cloud_)) cloud_.publish(cell_cloud(planes, header()));
+  if (is_wanted(cloud_)) cloud_.publish(cell_cloud(planes, keeper.labels(), header()));
 }
 
 void ModelPublisher::publish_rooms(ModelKeeper& keeper) {
