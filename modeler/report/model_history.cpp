@@ -13,7 +13,7 @@ std::vector<PlaneRemarks> remarks_of(const std::vector<PlaneLabel>& labels) {
 void add_rooms(const Rooms& rooms, Report& report) {
   for (std::size_t i = 0; i < rooms.rooms.size(); ++i) {
     const Room& room = rooms.rooms[i];
-    report.add_room({"room " + room_name(i), room.area_m2, floor_outlines(room)});
+    report.add_room({"room " + room_name(i), room.area_m2, floor_outlines(room), room.centre});
   }
 }
 

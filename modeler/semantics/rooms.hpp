@@ -33,7 +33,7 @@ struct RoomConfig {
 /// A part of the free floor that walls and door openings bound.
 struct Room {
   double area_m2 = 0.0;                              ///< of the free floor
-  Eigen::Vector3d centre = Eigen::Vector3d::Zero();  ///< mean of the floor, in map [m]
+  Eigen::Vector3d centre = Eigen::Vector3d::Zero();  ///< of the largest circle on it, in map [m]
   Polygons outlines;                                 ///< seen from above, in map [m]
 };
 

@@ -20,7 +20,7 @@ namespace {
 
 using visualization_msgs::Marker;
 
-constexpr double kFloorAlpha = 0.55;  // the floor shows through
+constexpr double kFloorAlpha = 0.35;  // the floor shows through
 constexpr double kAboveFloor_m = 0.02;
 constexpr double kNameAbove_m = 1.3;  // above the label of the floor
 constexpr double kNameLetter_m = 0.22;
