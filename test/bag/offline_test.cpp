@@ -58,7 +58,7 @@ TEST(Offline, TheSameBagGivesTheSameBytes) {
   write_model(run(kRoom, "pr2.yaml"), b.path());
   for (const char* name :
        {"planes_before.json", "planes_after.json", "planes_after.ply", "planes_after_cells.ply",
-        "planes_after.bt", "trajectory.tum", "report.html"}) {
+        "planes_after.bt", "trajectory.tum", "report.html", "rooms.json"}) {
     EXPECT_GT(content_of(a.path() / name).size(), 100u) << name;
     EXPECT_EQ(content_of(a.path() / name), content_of(b.path() / name)) << name;
   }
@@ -159,12 +159,29 @@ TEST(Offline, AllFilesOfARunNameIt) {
   EXPECT_EQ(id.size(), 16U);
   for (const char* name :
        {"planes_before.json", "planes_after.json", "planes_after.ply", "planes_after_cells.ply",
-        "planes_after.bt", "trajectory.tum", "report.html"}) {
+        "planes_after.bt", "trajectory.tum", "report.html", "rooms.json"}) {
     EXPECT_THAT(content_of(directory.path() / name), HasSubstr(id)) << name;
   }
   for (const char* name : {"planes_before.json", "planes_after.json"}) {
     EXPECT_EQ(nlohmann::json::parse(content_of(directory.path() / name)).at("frame"), "world");
   }
+}
+
+TEST(Offline, PlanesHaveLabelsAndTheRoomIsOne) {
+  const TemporaryDirectory directory;
+  write_model(run(kRoom, "pr2.yaml"), directory.path());
+  std::size_t floors = 0;
+  const auto model = nlohmann::json::parse(content_of(directory.path() / "planes_after.json"));
+  for (const auto& plane : model.at("planes")) {
+    floors += plane.at("label") == "floor" ? 1 : 0;
+  }
+  EXPECT_EQ(floors, 1U);
+  const auto rooms = nlohmann::json::parse(content_of(directory.path() / "rooms.json"));
+  ASSERT_EQ(rooms.at("rooms").size(), 1U);
+  EXPECT_EQ(rooms.at("rooms").at(0).at("name"), "A");
+  const std::string page = content_of(directory.path() / "report.html");
+  EXPECT_NE(page.find("\"room A\""), std::string::npos);
+  EXPECT_NE(page.find("\"label\":\"floor\""), std::string::npos);
 }
 
 TEST(Offline, AnEstimateStatesItsCovariances) {

@@ -25,8 +25,8 @@ constexpr double kWhiteBehind_m = 0.02;
 /// White planes are pale, so that coloured ones show through them, as in figure 8 of the paper.
 constexpr float kWhiteAlpha = 0.35F;
 
-/// Height of a capital letter: 10 pixels in a view of a flat.
-constexpr double kLetter_m = 0.18;
+/// Height of a capital letter: 12 pixels in a view of a flat.
+constexpr double kLetter_m = 0.22;
 /// Texts face the viewer, and stand this far before their planes, so that these hide no half of
 /// them.
 constexpr double kTextBefore_m = 0.35;

@@ -23,7 +23,7 @@ using visualization_msgs::Marker;
 constexpr double kFloorAlpha = 0.35;  // the floor shows through
 constexpr double kAboveFloor_m = 0.02;
 constexpr double kNameAbove_m = 1.3;  // above the label of the floor
-constexpr double kNameLetter_m = 0.22;
+constexpr double kNameLetter_m = 0.28;
 constexpr double kFrame_m = 0.08;  // thickness of a passage's lines
 constexpr Colour kPassage{214, 122, 56};
 /// Soft and light, so that furniture and trajectories stand out.

@@ -13,6 +13,9 @@ namespace {
 constexpr double kLetterWidth = 0.9;
 constexpr double kLineHeight = 2.0;
 
+/// Texts one above the other look nearer from above: from 48 degrees, by this factor.
+constexpr double kFromAbove = 1.5;
+
 constexpr double kColumn_m = 4.0;  // side of a column; no text counts as wider
 constexpr int kMostSteps = 10;     // a text higher up would not be taken for its plane's
 
@@ -28,7 +31,7 @@ TextPlaces::Text TextPlaces::text_at(const Eigen::Vector3d& middle, const std::s
   }
   const double width_m = kLetterWidth * letter_m_ * static_cast<double>(longest);
   return {middle, std::min(width_m, kColumn_m),
-          kLineHeight * letter_m_ * static_cast<double>(count)};
+          kFromAbove * kLineHeight * letter_m_ * static_cast<double>(count)};
 }
 
 const TextPlaces::Text* TextPlaces::covered_by(const Text& text) const {

@@ -10,7 +10,8 @@
 
 namespace ribbon_mapper {
 
-/// Places texts that face the viewer so that, seen from the side, none covers another.
+/// Places texts that face the viewer so that none covers another, seen from the side or obliquely
+/// from above.
 class TextPlaces {
  public:
   /// Creates places for texts whose capital letters are `letter_m` high.
