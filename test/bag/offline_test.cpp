@@ -167,23 +167,6 @@ TEST(Offline, AllFilesOfARunNameIt) {
   }
 }
 
-TEST(Offline, PlanesHaveLabelsAndTheRoomIsOne) {
-  const TemporaryDirectory directory;
-  write_model(run(kRoom, "pr2.yaml"), directory.path());
-  std::size_t floors = 0;
-  const auto model = nlohmann::json::parse(content_of(directory.path() / "planes_after.json"));
-  for (const auto& plane : model.at("planes")) {
-    floors += plane.at("label") == "floor" ? 1 : 0;
-  }
-  EXPECT_EQ(floors, 1U);
-  const auto rooms = nlohmann::json::parse(content_of(directory.path() / "rooms.json"));
-  ASSERT_EQ(rooms.at("rooms").size(), 1U);
-  EXPECT_EQ(rooms.at("rooms").at(0).at("name"), "A");
-  const std::string page = content_of(directory.path() / "report.html");
-  EXPECT_NE(page.find("\"room A\""), std::string::npos);
-  EXPECT_NE(page.find("\"label\":\"floor\""), std::string::npos);
-}
-
 TEST(Offline, AnEstimateStatesItsCovariances) {
   const TemporaryDirectory directory;
   const OfflineRun found = run(kRoom, "pr2.yaml", "self");

@@ -25,8 +25,8 @@ constexpr double kWhiteBehind_m = 0.02;
 /// White planes are pale, so that coloured ones show through them, as in figure 8 of the paper.
 constexpr float kWhiteAlpha = 0.35F;
 
-/// Height of a capital letter: 12 pixels in a view of a flat.
-constexpr double kLetter_m = 0.22;
+/// Height of a capital letter: 11 pixels in a view of a flat.
+constexpr double kLetter_m = 0.2;
 /// Texts face the viewer, and stand this far before their planes, so that these hide no half of
 /// them.
 constexpr double kTextBefore_m = 0.35;
@@ -130,12 +130,12 @@ Marker edges_marker(const std::vector<Plane>& planes, const std_msgs::Header& he
   return marker;
 }
 
-/// Returns the indices of planes, the largest first.
+/// Returns the indices of planes, the smallest first: a text can move far on a large plane.
 std::vector<std::size_t> by_area(const std::vector<Plane>& planes) {
   std::vector<std::size_t> order(planes.size());
   std::iota(order.begin(), order.end(), 0);
   std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
-    return planes[a].area_m2 > planes[b].area_m2;
+    return planes[a].area_m2 < planes[b].area_m2;
   });
   return order;
 }

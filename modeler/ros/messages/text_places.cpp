@@ -13,13 +13,16 @@ namespace {
 constexpr double kLetterWidth = 0.9;
 constexpr double kLineHeight = 2.0;
 
-/// Texts one above the other look nearer from above: from 48 degrees, by this factor.
-constexpr double kFromAbove = 1.5;
+/// Texts one above the other look nearer from above: from 37 degrees, by this factor.
+constexpr double kFromAbove = 1.25;
 
-constexpr double kColumn_m = 4.0;  // side of a column; no text counts as wider
-constexpr int kMostSteps = 10;     // a text higher up would not be taken for its plane's
+constexpr double kColumn_m = 4.0;    // side of a column; no text counts as wider
+constexpr double kMostRise_m = 1.5;  // a text higher up would not be taken for its plane's
 
-int column_of(double value_m) { return static_cast<int>(std::floor(value_m / kColumn_m)); }
+int column_of(double value_m) {
+  constexpr double kMost = 1e9;  // an int holds it
+  return static_cast<int>(std::floor(std::clamp(value_m / kColumn_m, -kMost, kMost)));
+}
 
 }  // namespace
 
@@ -53,12 +56,11 @@ const TextPlaces::Text* TextPlaces::covered_by(const Text& text) const {
 
 Eigen::Vector3d TextPlaces::take(const Eigen::Vector3d& wanted, const std::string& text) {
   Text placed = text_at(wanted, text);
-  for (int step = 0; const Text* other = covered_by(placed); ++step) {
-    if (step == kMostSteps) {
-      placed.middle = wanted;
-      break;
-    }
-    placed.middle.z() = other->middle.z() + 0.5 * (other->height_m + placed.height_m);
+  while (const Text* other = covered_by(placed)) {
+    const double higher_m = other->middle.z() + 0.5 * (other->height_m + placed.height_m);
+    const bool is_near = higher_m > placed.middle.z() && higher_m <= wanted.z() + kMostRise_m;
+    placed.middle.z() = is_near ? higher_m : wanted.z();
+    if (!is_near) break;
   }
   columns_[{column_of(wanted.x()), column_of(wanted.y())}].push_back(placed);
   return placed.middle;
