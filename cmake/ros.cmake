@@ -21,7 +21,8 @@ if(NOT RIBBON_MAPPER_HAS_ROS)
   return()
 endif()
 
-add_message_files(DIRECTORY msg FILES BoundedPlane.msg PlaneArray.msg PlaneOutline.msg)
+add_message_files(DIRECTORY msg FILES
+  BoundedPlane.msg FloorPassage.msg FloorRoom.msg FloorRooms.msg PlaneArray.msg PlaneOutline.msg)
 add_service_files(DIRECTORY srv FILES Annotate.srv GetModel.srv Load.srv Save.srv)
 generate_messages(DEPENDENCIES geometry_msgs std_msgs)
 set(libraries ribbon_mapper_core)

@@ -16,7 +16,7 @@ import json
 import pathlib
 import sys
 
-from figure_files import matplotlib, save_both
+from figure_files import counted, matplotlib, save_both
 from outlines import area_of, rings, sections
 
 import matplotlib.pyplot as plt  # noqa: E402 (needs the backend)
@@ -79,12 +79,15 @@ def draw_areas(axes, planes, colour_of):
             hatch="////" if is_slope else None))
 
 
+def is_steep(plane):
+    return abs(plane["normal"][2]) <= WALL_MAX_NORMAL_Z
+
+
 def draw_planes(axes, planes, colour_of):
     planes = [plane for plane in planes if plane["outlines"]]
-    steep = [p for p in planes if abs(p["normal"][2]) <= WALL_MAX_NORMAL_Z]
-    draw_areas(axes, [p for p in planes if p not in steep], colour_of)
+    draw_areas(axes, [p for p in planes if not is_steep(p)], colour_of)
     floor_m = floor_of(planes)
-    for plane in steep:
+    for plane in filter(is_steep, planes):
         # One that begins above the lintels, such as a high window's, is drawn where it is.
         pieces = sections(plane, [floor_m + z for z in CUTS_M]) \
             or sections(plane, [plane["centroid"][2]])
@@ -134,10 +137,6 @@ def add_legend(figure):
     ]
     figure.legend(handles=handles, loc="lower center", ncol=len(handles), frameon=False,
                   handlelength=2.0, columnspacing=1.6, borderaxespad=0.3)
-
-
-def counted(number, singular, plural):
-    return f"{number} {singular if number == 1 else plural}"
 
 
 def findings(metrics, truth):

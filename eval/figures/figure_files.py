@@ -18,6 +18,11 @@ matplotlib.rcParams.update({
 })
 
 
+def counted(number, singular, plural):
+    """Returns a number with its noun."""
+    return f"{number} {singular if number == 1 else plural}"
+
+
 def save(figure, path, **options):
     """Replaces the file only after the new one is complete."""
     temporary = path.with_name(f".{path.name}.tmp")

@@ -9,18 +9,17 @@ writes them, and writes model_views.png there, or FILE.png.
 """
 
 import json
-import os
 import pathlib
 import sys
 
 try:
-    import matplotlib
     import numpy
+    from figure_files import counted, save
     from outlines import closed, rings
+    from text_places import TextPlaces
 except ImportError:
     sys.exit("model_views.py: matplotlib is missing: sudo apt install python3-matplotlib")
 
-matplotlib.use("Agg")
 import matplotlib.pyplot as plt  # noqa: E402 (needs the backend)
 from matplotlib.collections import LineCollection, PolyCollection  # noqa: E402
 
@@ -30,8 +29,6 @@ MARGIN_M = 0.3
 LABELLED_M2 = 1.0  # planes from this area on get a label
 LEVEL_NORMAL_Z = 0.5
 CEILING_NORMAL_Z = -0.5  # ceilings are drawn as outlines in the top view
-
-plt.rcParams.update({"font.size": 8})
 
 
 def load_json(path):
@@ -99,22 +96,23 @@ def draw_plane(axes, view, plane, points, colours):
         draw_cells(axes, points[:, [right, up]], colours, side_m)
 
 
-def label(axes, view, plane, colour):
-    x, y = (plane["centroid"][axis] for axis in view[1:])
+def label(places, view, plane, colour):
     is_ceiling = view[2] != 2 and plane["normal"][2] < CEILING_NORMAL_Z
-    axes.annotate(f"{'ceiling ' if is_ceiling else ''}{plane['area']:.1f} m²", (x, y),
-                  (0, 8 if is_ceiling else 0), textcoords="offset points", ha="center", va="center",
-                  fontsize=6, color=0.6 * colour, zorder=5,
-                  bbox={"boxstyle": "round,pad=0.1", "fc": "white", "lw": 0, "alpha": 0.7})
+    places.add(f"{'ceiling ' if is_ceiling else ''}{plane['area']:.1f} m²",
+               [plane["centroid"][axis] for axis in view[1:]],
+               fontsize=6, color=0.6 * colour, zorder=5,
+               bbox={"boxstyle": "round,pad=0.1", "fc": "white", "lw": 0, "alpha": 0.7})
 
 
 def draw_view(axes, view, planes, cells):
+    """Draws planes and labels, those of the largest planes first. The limits must be set."""
     points, colours, ids = cells
+    places = TextPlaces(axes)
     for plane in sorted(planes, key=lambda p: -p["area"]):
         own = ids == plane["id"]
         draw_plane(axes, view, plane, points[own], colours[own])
         if plane["area"] >= LABELLED_M2 or len(planes) <= 8:
-            label(axes, view, plane, colours[own][0])
+            label(places, view, plane, colours[own][0])
 
 
 def limits(points, axis):
@@ -123,7 +121,8 @@ def limits(points, axis):
 
 def title_of(summary):
     residual = summary["residual_m_median"]
-    text = f"{summary['planes']} planes, {summary['duplicates']} duplicates"
+    text = (f"{counted(summary['planes'], 'plane', 'planes')}, "
+            f"{counted(summary['duplicates'], 'duplicate', 'duplicates')}")
     if residual is not None:
         text += f", median residual {1000 * residual:.1f} mm"
     return (", ".join(summary["bags"]) + f": {text}",
@@ -145,8 +144,8 @@ def draw(directory):
     top = height - TITLE_IN
     for view, height_in in zip(views, heights_in):
         axes = figure.add_axes([0.08, (top - height_in) / height, 0.88, height_in / height])
-        draw_view(axes, view, planes, cells)
         axes.set(xlim=limits(points, view[1]), ylim=limits(points, view[2]), aspect="equal")
+        draw_view(axes, view, planes, cells)
         axes.set_ylabel(f"{view[0]}: {'xyz'[view[2]]} [m]")
         top -= height_in + GAP_IN
     axes.set_xlabel(f"{'xyz'[views[0][1]]} [m]")
@@ -156,23 +155,13 @@ def draw(directory):
     return figure
 
 
-def save(figure, path):
-    """Replaces the file only after the new one is complete."""
-    temporary = path.with_name(f".{path.name}.tmp")
-    try:
-        figure.savefig(temporary, format="png", dpi=150)
-        os.replace(temporary, path)
-    finally:
-        temporary.unlink(missing_ok=True)
-
-
 def main():
     if len(sys.argv) not in (2, 3):
         sys.exit("usage: model_views.py DIRECTORY [FILE.png]")
     directory = pathlib.Path(sys.argv[1])
     try:
         save(draw(directory), pathlib.Path(sys.argv[2]) if len(sys.argv) == 3
-             else directory / "model_views.png")
+             else directory / "model_views.png", dpi=150)
     except (OSError, ValueError, KeyError) as error:
         sys.exit(f"model_views.py: {error!r}")
 

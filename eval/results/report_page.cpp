@@ -3,12 +3,14 @@
 #include "eval/results/report_page.hpp"
 
 #include <Eigen/Geometry>
+#include <algorithm>
 #include <cmath>
 #include <filesystem>
 
 #include "eval/results/format.hpp"
 #include "modeler/geometry/angles.hpp"
 #include "modeler/program/version.hpp"
+#include "modeler/report/model_history.hpp"
 #include "modeler/report/report.hpp"
 
 namespace ribbon_mapper::eval {
@@ -128,8 +130,12 @@ std::string report_page(const Results& results, const std::vector<Plane>& before
       {"before, as built", &before, remarks_on(before, metrics.noisy_as_built, truth)});
   report.add_model(
       {"before, final", &models.noisy, remarks_on(models.noisy, metrics.noisy, truth)});
-  report.add_model(
-      {"after", &models.corrected, remarks_on(models.corrected, metrics.corrected, truth), 1});
+  std::vector<PlaneRemarks> remarks = remarks_on(models.corrected, metrics.corrected, truth);
+  for (std::size_t i = 0; i < std::min(remarks.size(), results.labels.size()); ++i) {
+    remarks[i].label = results.labels[i].text;
+  }
+  report.add_model({"after", &models.corrected, remarks, 1});
+  if (results.rooms) add_rooms(*results.rooms, report);
   report.set_truth(truth, results.trajectory_truth);
   add_tables(s, report);
   add_facts(s, report);

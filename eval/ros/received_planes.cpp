@@ -60,6 +60,15 @@ std::vector<Plane> planes_from(const PlaneArray& message) {
   return planes;
 }
 
+std::vector<PlaneLabel> labels_from(const PlaneArray& message) {
+  std::vector<PlaneLabel> labels;
+  for (const BoundedPlane& plane : message.planes) {
+    labels.push_back({plane.label, plane.label_confidence, plane.note,
+                      label_from(plane.label).value_or(Label::furniture)});
+  }
+  return labels;
+}
+
 std::vector<Patch> patches_from(const PlaneArray& message) {
   std::vector<Patch> patches;
   for (const BoundedPlane& plane : message.planes) {

@@ -145,13 +145,18 @@ Results TourWatch::results() {
   const auto planes = [&](bool before_correction, bool as_built) {
     return planes_from(model(before_correction, as_built, true).planes);
   };
+  const PlaneArray corrected = model(false, false, true).planes;
   Results results;
   results.models = {planes(true, true), planes(true, false), planes(false, true),
-                    planes(false, false)};
+                    planes_from(corrected)};
+  results.labels = labels_from(corrected);
   results.truth = patches_from(*truth_planes_);
   results.trajectory_before = poses_from(trajectory_before_);
   results.trajectory_after = poses_from(trajectory_);
   results.trajectory_truth = truth_.at_stamps_of(results.trajectory_before);
+  results.rooms =
+      rooms_of(results.models.corrected,
+               semantics_of(results.models.corrected, positions_of(results.trajectory_after)));
 
   const GetModel::Response state = model(false, true, false);
   results.summary.lines = state.lines;

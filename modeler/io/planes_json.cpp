@@ -61,13 +61,16 @@ Json to_json(const Ring& ring) {
   return json;
 }
 
-Json to_json(const Room& room) {
+Json to_json(const Room& room, const std::string& name) {
   Json outlines = Json::array();
   for (const Polygon& polygon : room.outlines) {
     Json& rings = outlines.emplace_back(Json::array({to_json(polygon.outer)}));
     for (const Ring& hole : polygon.holes) rings.push_back(to_json(hole));
   }
-  return {{"area", room.area_m2}, {"centre", to_json(room.centre)}, {"outlines", outlines}};
+  return {{"name", name},
+          {"area", room.area_m2},
+          {"centre", to_json(room.centre)},
+          {"outlines", outlines}};
 }
 
 Json to_json(const Passage& passage) {
@@ -113,7 +116,9 @@ std::string rooms_to_json(const Rooms& rooms, const ModelLabel& label) {
   Json json{{"frame", label.frame}, {"unit", "m"}};
   if (!label.run.empty()) json["run"] = label.run;
   json["rooms"] = Json::array();
-  for (const Room& room : rooms.rooms) json["rooms"].push_back(to_json(room));
+  for (std::size_t i = 0; i < rooms.rooms.size(); ++i) {
+    json["rooms"].push_back(to_json(rooms.rooms[i], room_name(i)));
+  }
   json["passages"] = Json::array();
   for (const Passage& passage : rooms.passages) json["passages"].push_back(to_json(passage));
   return json.dump(-1, ' ', false, kReplace) + "\n";

@@ -32,11 +32,13 @@ Eigen::AlignedBox3d bounding_box(const Plane& plane);
 std::string planes_to_json(const std::vector<Plane>& planes, const ModelLabel& label = {},
                            const std::vector<PlaneLabel>& labels = {});
 
-/// Converts rooms to JSON: {"frame", "unit", "run", "rooms": [{"area", "centre", "outlines"}],
-/// "passages": [{"rooms": [a, b], "plane", "jambs": [p, q], "sill", "head", "confidence"}]}.
+/// Converts rooms to JSON: {"frame", "unit", "run", "rooms": [{"name", "area", "centre",
+/// "outlines"}], "passages": [{"rooms": [a, b], "plane", "jambs": [p, q], "sill", "head",
+/// "confidence"}]}.
 ///
 /// "outlines" are the coordinates of a GeoJSON MultiPolygon in map, without the repeated first
-/// point. Rooms are counted from 0; "head" is null if no lintel was seen.
+/// point. Names are those of room_name(). Passages count rooms from 0; "head" is null if no lintel
+/// was seen.
 std::string rooms_to_json(const Rooms& rooms, const ModelLabel& label = {});
 
 }  // namespace ribbon_mapper

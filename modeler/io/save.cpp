@@ -41,6 +41,7 @@ std::vector<fs::path> save_model(const std::vector<Plane>& planes, const fs::pat
   FileSet files(directory, name);
   add_model(planes, label, name, stripe_gap_m, files, beside.labels);
   if (!beside.model_file.empty()) files.add(name + ".ribbons", beside.model_file);
+  if (beside.rooms) files.add(name + "_rooms.json", rooms_to_json(*beside.rooms, label));
   if (beside.page) files.add(name + ".html", beside.page(label.run));
   return files.commit();
 }

@@ -4,11 +4,13 @@
 
 #include <filesystem>
 #include <functional>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "modeler/io/model_label.hpp"
 #include "modeler/semantics/plane_label.hpp"
+#include "modeler/semantics/rooms.hpp"
 #include "modeler/storage/file_set.hpp"
 #include "modeler/surface/plane.hpp"
 
@@ -29,15 +31,17 @@ using FileOfRun = std::function<std::string(const std::string& run)>;
 
 /// What is saved beside the planes of a model.
 struct SavedBeside {
-  std::string model_file;          ///< bytes of a model file; empty: none
-  std::vector<PlaneLabel> labels;  ///< of the planes, in their order; empty: none
-  FileOfRun page;                  ///< makes a page to look at; empty: none
+  std::string model_file;           ///< bytes of a model file; empty: none
+  std::vector<PlaneLabel> labels;   ///< of the planes, in their order; empty: none
+  FileOfRun page;                   ///< makes a page to look at; empty: none
+  std::optional<Rooms> rooms = {};  ///< of the planes
 };
 
 /// Writes the four files of a model, as add_model(), into `directory`, which is created if needed,
-/// and, if they are given, the model file <name>.ribbons and the page <name>.html. They are a set
-/// of this name, see FileSet. Returns their paths. Throws std::invalid_argument for a bad name, and
-/// std::runtime_error with the file, the reason and a remedy.
+/// and, if they are given, the model file <name>.ribbons, the page <name>.html and the rooms
+/// <name>_rooms.json. They are a set of this name, see FileSet. Returns their paths. Throws
+/// std::invalid_argument for a bad name, and std::runtime_error with the file, the reason and a
+/// remedy.
 std::vector<std::filesystem::path> save_model(const std::vector<Plane>& planes,
                                               const std::filesystem::path& directory,
                                               const std::string& name, double stripe_gap_m,

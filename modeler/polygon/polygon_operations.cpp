@@ -52,6 +52,18 @@ Polygons difference(const Polygons& a, const Polygons& b) {
   return overlay(a, b, &GEOSDifference_r);
 }
 
+Eigen::Vector2d inmost_point(const Polygons& polygons, double tolerance) {
+  const Geos geos;
+  const Geos::Geometry all = geos.multipolygon_of(polygons);
+  const Geos::Geometry radius =
+      geos.made(GEOSMaximumInscribedCircle_r(geos.context(), all.get(), tolerance));
+  const Geos::Geometry centre = geos.made(GEOSGeomGetStartPoint_r(geos.context(), radius.get()));
+  Eigen::Vector2d point;
+  GEOSGeomGetX_r(geos.context(), centre.get(), &point.x());
+  GEOSGeomGetY_r(geos.context(), centre.get(), &point.y());
+  return point;
+}
+
 Polygons grown(const Polygons& polygons, double distance) {
   constexpr int kSegmentsOfACurve = 1;
   constexpr double kLongestMitre = 2.0;

@@ -31,6 +31,10 @@ Polygons united(const Polygons& a, const Polygons& b);
 /// Returns the area of `a` that is not in `b`.
 Polygons difference(const Polygons& a, const Polygons& b);
 
+/// Returns the centre of a largest circle in the polygons, within `tolerance`. There must be one
+/// polygon at least.
+Eigen::Vector2d inmost_point(const Polygons& polygons, double tolerance);
+
 /// Returns the area within `distance` of the polygons; for a negative distance, the area that is
 /// at least as far from everything outside. Corners stay corners.
 Polygons grown(const Polygons& polygons, double distance);

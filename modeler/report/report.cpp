@@ -87,9 +87,14 @@ void Report::set_truth(const std::vector<Plane>& planes, const std::vector<Stamp
 }
 
 void Report::add_room(const ReportRoom& room) {
-  rooms_.push_back(text_of({{"name", room.name},
-                            {"area_m2", rounded(room.area_m2, 1e3)},
-                            {"outlines_mm", outlines_in_map(room.outlines)}}));
+  Json json{{"name", room.name},
+            {"area_m2", rounded(room.area_m2, 1e3)},
+            {"outlines_mm", outlines_in_map(room.outlines)}};
+  if (room.centre) {
+    json["centre_mm"] = Json::array();
+    for (const double value : *room.centre) json["centre_mm"].push_back(in_millimetres(value));
+  }
+  rooms_.push_back(text_of(json));
 }
 
 void Report::add_table(const ReportTable& table) {

@@ -46,6 +46,8 @@ struct ReportRoom {
   std::string name;               ///< such as "kitchen"
   double area_m2 = 0.0;           ///< of its floor
   std::vector<Outline> outlines;  ///< of its floor, in map
+  /// Where its name stands, in map [m]; nothing: in the middle of its outlines.
+  std::optional<Eigen::Vector3d> centre = {};
 };
 
 /// A table of texts.

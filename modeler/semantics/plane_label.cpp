@@ -8,12 +8,12 @@ std::vector<PlaneLabel> plane_labels(const std::vector<Plane>& planes, const Sem
                                      const std::vector<const Annotation*>& annotations) {
   std::vector<PlaneLabel> labels;
   for (std::size_t i = 0; i < planes.size(); ++i) {
+    const Decision& decision = semantics.labels.at(i);
     const Annotation* annotation = i < annotations.size() ? annotations[i] : nullptr;
     if (annotation != nullptr) {
-      labels.push_back({annotation->label, 1.0, annotation->note});
+      labels.push_back({annotation->label, 1.0, annotation->note, decision.label});
     } else {
-      const Decision& decision = semantics.labels.at(i);
-      labels.push_back({to_string(decision.label), decision.confidence});
+      labels.push_back({to_string(decision.label), decision.confidence, "", decision.label});
     }
   }
   return labels;

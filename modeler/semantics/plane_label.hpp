@@ -13,9 +13,10 @@ namespace ribbon_mapper {
 
 /// What a plane is, as files and messages say it.
 struct PlaneLabel {
-  std::string text;         ///< a person's own label, or that of the rules
-  double confidence = 0.0;  ///< as Decision::confidence; 1 for a person's label
-  std::string note = {};    ///< a person's note; may be empty
+  std::string text;               ///< a person's own label, or that of the rules
+  double confidence = 0.0;        ///< as Decision::confidence; 1 for a person's label
+  std::string note = {};          ///< a person's note; may be empty
+  Label rule = Label::furniture;  ///< what the rules say, whatever a person says
 };
 
 /// Returns the labels of planes, in their order. A person's own label goes before that of the

@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "modeler/geometry/grid_keys.hpp"
+#include "modeler/polygon/polygon_operations.hpp"
 #include "modeler/semantics/plane_shape.hpp"
 #include "modeler/surface/outline.hpp"
 
@@ -81,9 +82,6 @@ class FloorMap {
   }
 
   double height_m(Square s) const { return squares_.at(key_of(s)).height_m; }
-  Eigen::Vector2d centre(Square s) const {
-    return config_.square_m * Eigen::Vector2d(s.x + 0.5, s.y + 0.5);
-  }
 
  private:
   struct Floor {
@@ -134,16 +132,17 @@ Room room_of(const std::vector<Square>& squares, const FloorMap& floor, const Ro
   Plane plane;
   plane.cell_size_m = config.square_m;
   for (const Square& s : squares) {
-    const Eigen::Vector2d centre = floor.centre(s);
-    room.centre += Eigen::Vector3d(centre.x(), centre.y(), floor.height_m(s));
+    room.centre.z() += floor.height_m(s) / static_cast<double>(squares.size());
     plane.cells.push_back({s.x, s.y, 1, 0.0F, 0.0F});
   }
   std::sort(plane.cells.begin(), plane.cells.end(), [](const PlaneCell& a, const PlaneCell& b) {
     return std::pair(a.v, a.u) < std::pair(b.v, b.u);
   });
-  room.centre /= static_cast<double>(squares.size());
   room.area_m2 = static_cast<double>(squares.size()) * config.square_m * config.square_m;
   room.outlines = seen_area(plane, 2.0 * config.square_m, SurfaceConfig{}.outline_tolerance_m);
+  if (!room.outlines.empty()) {
+    room.centre.head<2>() = inmost_point(room.outlines, config.square_m);
+  }
   return room;
 }
 
@@ -193,7 +192,32 @@ bool is_same_door(const Passage& a, const Passage& b, const RoomConfig& config) 
   return a.rooms == b.rooms && (middle_a - middle_b).norm() <= config.door_depth_m;
 }
 
+std::vector<Eigen::Vector3d> at_height(const Ring& ring, double z_m) {
+  std::vector<Eigen::Vector3d> points;
+  for (const Eigen::Vector2d& point : ring) points.emplace_back(point.x(), point.y(), z_m);
+  return points;
+}
+
 }  // namespace
+
+std::string room_name(std::size_t index) {
+  std::string name;
+  for (std::size_t left = index + 1; left > 0; left = (left - 1) / 26) {
+    name.insert(name.begin(), static_cast<char>('A' + (left - 1) % 26));
+  }
+  return name;
+}
+
+std::vector<Outline> floor_outlines(const Room& room) {
+  std::vector<Outline> outlines;
+  for (const Polygon& polygon : room.outlines) {
+    outlines.push_back({at_height(polygon.outer, room.centre.z()), {}});
+    for (const Ring& hole : polygon.holes) {
+      outlines.back().holes.push_back(at_height(hole, room.centre.z()));
+    }
+  }
+  return outlines;
+}
 
 Rooms rooms_of(const std::vector<Plane>& planes, const Semantics& semantics,
                const RoomConfig& config) {

@@ -4,6 +4,7 @@
 
 #include <Eigen/Core>
 #include <array>
+#include <string>
 #include <vector>
 
 #include "modeler/polygon/polygon.hpp"
@@ -32,7 +33,7 @@ struct RoomConfig {
 /// A part of the free floor that walls and door openings bound.
 struct Room {
   double area_m2 = 0.0;                              ///< of the free floor
-  Eigen::Vector3d centre = Eigen::Vector3d::Zero();  ///< mean of the floor, in map [m]
+  Eigen::Vector3d centre = Eigen::Vector3d::Zero();  ///< of the largest circle on it, in map [m]
   Polygons outlines;                                 ///< seen from above, in map [m]
 };
 
@@ -47,6 +48,12 @@ struct Rooms {
   std::vector<Room> rooms;        ///< the largest first
   std::vector<Passage> passages;  ///< each once, though both sides of its wall were seen
 };
+
+/// Returns the name of a room by its index: A to Z, then AA and so on.
+std::string room_name(std::size_t index);
+
+/// Returns the outlines of a room's floor in map, at the height of its centre.
+std::vector<Outline> floor_outlines(const Room& room);
 
 /// Divides the free floor of a model into rooms, at walls and door openings. `semantics` are those
 /// of the planes. Furniture and what was not seen is no free floor.

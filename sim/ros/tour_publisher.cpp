@@ -49,6 +49,18 @@ TourPublisher::TourPublisher(ros::NodeHandle& node, const World& world, Tour& to
   finished_ = node.advertise<std_msgs::Bool>("tour_finished", 1, true);
   world_.publish(world_markers(world, map_header(Time(0))));
   publish_finished(false);
+  if (has_localisation_)
+    corrected_trajectory_ =
+        node.subscribe("corrected_trajectory", 1, &TourPublisher::on_corrected_trajectory, this);
+}
+
+void TourPublisher::on_corrected_trajectory(const nav_msgs::Path& path) {
+  if (path.poses.empty()) return;
+  const geometry_msgs::PoseStamped& newest = path.poses.back();
+  const std::optional<Pose> pose = pose_of(newest.pose);
+  if (!pose || path.header.frame_id != frames_.map) return;  // the modeler says what is wrong
+  const std::lock_guard<std::mutex> lock(correction_mutex_);
+  if (is_over_) corrected_ = StampedPose{time_of(newest.header.stamp), *pose};
 }
 
 bool TourPublisher::has_subscribers(const std::string& topic) const {
@@ -69,6 +81,12 @@ Time TourPublisher::in_tour(Time now) const {
 Pose TourPublisher::T_odom_base(Time at) const {
   if (has_localisation_) return tour_.T_odom_base(at);
   return tour_.T_map_odom_at_start() * tour_.T_odom_base(at);
+}
+
+Pose TourPublisher::T_map_odom(Time now) const {
+  const std::lock_guard<std::mutex> lock(correction_mutex_);
+  if (!corrected_) return tour_.T_map_odom(in_tour(now));
+  return corrected_->T_map_base * T_odom_base(in_tour(corrected_->stamp)).inverse();
 }
 
 std_msgs::Header TourPublisher::map_header(Time now) const {
@@ -118,8 +136,8 @@ void TourPublisher::publish_localisation(Time now) {
   tf2_msgs::TFMessage tf;
   for (; stamp_of_tick(map_ticks_) <= now; ++map_ticks_) {
     const Time stamp = stamp_of_tick(map_ticks_);
-    tf.transforms.push_back(stamped_transform(frames_.map, frames_.odom,
-                                              tour_.T_map_odom(in_tour(stamp)), stamp_of(stamp)));
+    tf.transforms.push_back(
+        stamped_transform(frames_.map, frames_.odom, T_map_odom(stamp), stamp_of(stamp)));
   }
   if (!tf.transforms.empty()) tf_.publish(tf);
 }
@@ -157,6 +175,10 @@ void TourPublisher::publish_truth() {
 }
 
 void TourPublisher::publish_finished(bool finished) {
+  {
+    const std::lock_guard<std::mutex> lock(correction_mutex_);
+    is_over_ = finished;
+  }
   std_msgs::Bool message;
   message.data = finished;
   finished_.publish(message);

@@ -2,9 +2,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <nav_msgs/Path.h>
 #include <ros/node_handle.h>
 #include <ros/publisher.h>
+#include <ros/subscriber.h>
 
+#include <mutex>
 #include <optional>
 #include <string>
 #include <vector>
@@ -20,6 +23,10 @@ namespace ribbon_mapper::sim {
 ///
 /// Without localisation, there is no map -> odom. The odometry then starts at the robot's true
 /// pose, so that a SLAM whose map is odom at the start has the frame of the ground truth.
+///
+/// With localisation, map -> odom jumps to where a corrected trajectory puts the robot, as any
+/// SLAM's does (REP 105), if the trajectory comes after the tour. During the tour the localisation
+/// drifts on: how messages race would decide which lines are placed after the jump.
 ///
 /// Time advances in ticks; the same tour gives the same messages at any speed. The robot stands
 /// still before and after the tour. The base laser's rays are cast while base_scan has a
@@ -59,6 +66,8 @@ class TourPublisher {
  private:
   Time in_tour(Time now) const;
   Pose T_odom_base(Time at) const;
+  Pose T_map_odom(Time now) const;
+  void on_corrected_trajectory(const nav_msgs::Path& path);
   std_msgs::Header map_header(Time now) const;
   void publish_joints(Time now);
   void publish_base(Time now);
@@ -78,6 +87,10 @@ class TourPublisher {
   ros::Publisher clock_, tf_, joints_, odometry_, true_pose_, scan_, base_scan_;
   ros::Publisher truth_planes_, true_path_, world_, finished_;
   std::vector<StampedPose> path_;
+  mutable std::mutex correction_mutex_;   // the subscriber has a thread of its own
+  bool is_over_ = false;                  // as was published
+  std::optional<StampedPose> corrected_;  // newest pose of a trajectory that came since then
+  ros::Subscriber corrected_trajectory_;
 };
 
 }  // namespace ribbon_mapper::sim

@@ -35,6 +35,17 @@ TEST(Save, WritesAPageOfTheSameRun) {
   EXPECT_EQ(page.size(), 4U + 16U);
 }
 
+TEST(Save, WritesRoomsOfTheSameRun) {
+  const TemporaryDirectory directory;
+  SavedBeside beside;
+  beside.rooms = Rooms();
+  save_model({small_plane()}, directory.path(), "kitchen", kStripeGap_m, "map", beside);
+  const std::string rooms = content_of(directory.path() / "kitchen_rooms.json");
+  EXPECT_THAT(rooms, HasSubstr("\"rooms\":[]"));
+  const std::string run = rooms.substr(rooms.find("\"run\":\"") + 7, 16);
+  EXPECT_THAT(content_of(directory.path() / "kitchen.json"), HasSubstr(run));
+}
+
 TEST(Save, AnEmptyModelCanBeSaved) {
   const TemporaryDirectory directory;
   EXPECT_NO_THROW(save_model({}, directory.path(), "empty", kStripeGap_m));

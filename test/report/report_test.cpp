@@ -106,6 +106,21 @@ TEST(Report, AModelWithoutACorrectionIsShownAlone) {
   EXPECT_EQ(data.at("trajectories").size(), 1U);
 }
 
+TEST(Report, OfAHistoryHasLabelsAndRooms) {
+  const std::vector<Plane> planes{sample_floor()};
+  ModelHistory history{"before", nullptr, {}, "now", &planes, sample_path(2, 0.0)};
+  history.labels = {{"a person's floor", 1.0}};
+  const Polygon square{{{0, 0}, {2, 0}, {2, 2}, {0, 2}}, {}};
+  history.rooms.rooms = {{4.0, {1.0, 1.0, 0.5}, {square}}};
+  const json data = json::parse(report_of({"", "map", "", "", "", {}}, history).json());
+  EXPECT_EQ(data.at("models").at(0).at("planes").at(0).at("label"), "a person's floor");
+  const json& room = data.at("rooms").at(0);
+  EXPECT_EQ(room.at("name"), "room A");
+  EXPECT_EQ(room.at("area_m2"), 4.0);
+  EXPECT_EQ(room.at("centre_mm"), json({1000, 1000, 500}));
+  EXPECT_EQ(room.at("outlines_mm").at(0).at(0).at(5), 500) << "at the height of the centre";
+}
+
 TEST(PackedCells, AreRunsAndThenMeans) {
   Plane plane;
   plane.cells = {{-2, 5, 1, 0.001F, 0.0F}, {-1, 5, 1, -0.5F, 0.0F}, {200, 6, 1, 0.5F, 0.0F}};

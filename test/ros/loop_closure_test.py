@@ -6,6 +6,7 @@
 ~corrections: their number; ~drift: that of the localisation; ~output: folder of the report.
 """
 import json
+import math
 import os
 import sys
 import unittest
@@ -16,11 +17,18 @@ from nav_msgs.msg import Odometry, Path
 from ribbon_mapper.msg import PlaneArray
 from ribbon_mapper.srv import GetModel, GetModelRequest
 from std_msgs.msg import Bool
+from tf2_msgs.msg import TFMessage
 
 from plane_matching import compare
 from waiting import Latest, eventually, service
 
 PLANES = 5  # of the bare room
+
+
+def product(a, b):
+    """Returns the pose b in the frame of the pose a: x, y and yaw."""
+    cosine, sine = math.cos(a[2]), math.sin(a[2])
+    return (a[0] + cosine * b[0] - sine * b[1], a[1] + sine * b[0] + cosine * b[1], a[2] + b[2])
 
 
 class LoopClosure(unittest.TestCase):
@@ -34,6 +42,8 @@ class LoopClosure(unittest.TestCase):
         cls.before = Latest('modeler/trajectory_before', Path)
         cls.finished = Latest('tour_finished', Bool)
         cls.corrected = Latest('corrected_trajectory', Path)
+        cls.tf = Latest('/tf', TFMessage)
+        cls.true_pose = Latest('base_pose_ground_truth', Odometry)
         cls.get_model = service('modeler/get_model', GetModel)
         assert eventually(cls.corrected.publishers)
         # The tour starts with this subscriber.
@@ -99,6 +109,25 @@ class LoopClosure(unittest.TestCase):
         first, last = (len(path.poses) for path in self.corrected.messages)
         self.assertGreater(first, 100)
         self.assertLess(first, 0.9 * last)
+
+    def test_the_robot_jumps_to_its_corrected_pose(self):
+        """tf follows the correction at the end of the tour; the rest is odometry of one line."""
+        def error_m():
+            truth = self.true_pose.wait().pose.pose.position
+            x, y = product(self.newest_pose('map'), self.newest_pose('odom_combined'))[:2]
+            return math.hypot(x - truth.x, y - truth.y)
+        self.assertTrue(eventually(lambda: error_m() < 0.02), error_m())
+        publishers = {message._connection_header['callerid'] for message in list(self.tf.messages)
+                      if message.transforms[0].header.frame_id == 'map'}
+        self.assertEqual(publishers, {'/pr2_simulator'})
+
+    def newest_pose(self, parent):
+        """Returns x, y and yaw of the newest transform below a frame."""
+        messages = list(self.tf.messages)
+        transform = next(t.transform for m in reversed(messages) for t in m.transforms
+                         if t.header.frame_id == parent)
+        at, turned = transform.translation, transform.rotation
+        return at.x, at.y, 2.0 * math.atan2(turned.z, turned.w)
 
     def test_the_report_says_the_same(self):
         path = os.path.join(rospy.get_param('~output'), 'summary.json')

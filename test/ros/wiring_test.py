@@ -10,7 +10,7 @@ import rospy
 import rostest
 from nav_msgs.msg import OccupancyGrid, Odometry, Path
 from nav_msgs.srv import GetMap
-from ribbon_mapper.msg import PlaneArray
+from ribbon_mapper.msg import FloorRooms, PlaneArray
 from ribbon_mapper.srv import Annotate, GetModel, GetModelRequest, Save
 from rosgraph_msgs.msg import Log
 from sensor_msgs.msg import LaserScan, PointCloud2
@@ -32,6 +32,8 @@ class Wiring(unittest.TestCase):
         cls.planes = Latest('modeler/planes', PlaneArray)
         cls.markers = Latest('modeler/markers', MarkerArray)
         cls.before = Latest('modeler/markers_before', MarkerArray)
+        cls.rooms = Latest('modeler/rooms', FloorRooms)
+        cls.room_markers = Latest('modeler/room_markers', MarkerArray)
         cls.cloud = Latest('modeler/cloud', PointCloud2)
         cls.trajectory = Latest('modeler/trajectory', Path)
         cls.corrected = Latest('corrected_trajectory', Path)
@@ -146,13 +148,32 @@ class Wiring(unittest.TestCase):
         self.assertEqual((white.r, white.g), (white.b, white.b))
         self.assertTrue(eventually(lambda: self.cloud.wait().width > 1000))
 
-    def shown_markers(self):
+    def shown_markers(self, namespace='planes'):
         shown = {}
         for array in list(self.markers.messages):
             for marker in array.markers:
-                if marker.ns == 'planes':
+                if marker.ns == namespace:
                     shown[marker.id] = marker
         return {i: m for i, m in shown.items() if m.action == Marker.ADD}
+
+    def test_rviz_gets_texts_normals_and_lines(self):
+        for namespace in ('labels', 'normals', 'outlines'):
+            self.assertTrue(eventually(lambda: len(self.shown_markers(namespace)) == 5), namespace)
+        self.assertTrue(eventually(lambda: self.shown_markers('edges')))
+        planes = {plane.id: plane for plane in self.model().planes.planes}
+        for i, marker in self.shown_markers('labels').items():
+            self.assertEqual(marker.text, f'{i} {planes[i].label}\n{planes[i].area:.1f} m2')
+
+    def test_the_room_is_one_room(self):
+        self.assertTrue(eventually(lambda: self.rooms.messages and
+                                   self.rooms.newest().revision == 1))
+        rooms = self.rooms.newest()
+        self.assertEqual((rooms.header.frame_id, len(rooms.rooms)), ('map', 1))
+        self.assertEqual(rooms.rooms[0].name, 'A')
+        self.assertAlmostEqual(rooms.rooms[0].area, 24.0, delta=1.5)
+        self.assertEqual(rooms.passages, [])
+        drawn = {marker.ns for marker in self.room_markers.wait().markers}
+        self.assertTrue({'rooms', 'names'} <= drawn, drawn)
 
     def test_maps_are_made_when_asked_for(self):
         """The room is 6 x 4 m: its floor is free, and around it are walls."""

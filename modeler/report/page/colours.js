@@ -8,8 +8,7 @@ const VERDICTS = {matched: ["#7fb0a2", "matches a true plane"],
   duplicate: ["#e0a458", "a further plane on a true plane"],
   extra: ["#cc6f66", "on no true plane"]};
 const LABELS = {floor: FLOOR, ceiling: CEILING, wall: "#a8bfd3", "door leaf": "#c9a27e",
-  door: "#c9a27e", "door opening": "#b5896b", table: "#a9c6a3", shelf: "#cfc38f",
-  slope: "#b9a9cc", furniture: "#d8adae"};
+  "table or shelf top": "#a9c6a3", slope: "#b9a9cc", "other furniture": "#d8adae"};
 const OTHER = "#d5d0c8";
 
 /** The ways to colour planes that the data allow: name, colour of a plane, and its legend. */

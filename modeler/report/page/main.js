@@ -173,8 +173,9 @@ class Page {
   }
 }
 
-/** Returns the middle of a room's floor. */
+/** Returns where the name of a room stands: a ring's middle would be outside it. */
 function middleOf(room) {
+  if (room.centre_mm) return new THREE.Vector3(...room.centre_mm).divideScalar(1e3);
   const box = new THREE.Box3();
   for (const ring of room.outlines_mm.flat()) {
     for (let i = 0; i < ring.length; i += 3) box.expandByPoint(new THREE.Vector3(...ring.slice(i, i + 3)).divideScalar(1e3));

@@ -7,16 +7,26 @@
 
 #include <cstdint>
 #include <map>
+#include <string>
+#include <utility>
 #include <vector>
 
+#include "modeler/io/colour.hpp"
 #include "modeler/semantics/plane_label.hpp"
 #include "modeler/surface/plane.hpp"
 
 namespace ribbon_mapper {
 
-/// Markers of the planes for rviz: a TRIANGLE_LIST for each plane, in its colour, in the namespace
-/// "planes", and a text with id, label and area in the namespace "labels". Only changes are sent,
-/// because rviz rebuilds everything that it receives.
+/// Returns the colour of a plane for viewers: grey for floors and ceilings by the rules, so that
+/// all else stands out; otherwise plane_colour() with less saturation.
+Colour shown_colour(const Plane& plane, Label rule);
+
+/// Markers of the planes for rviz, which shows or hides their namespaces one by one.
+///
+/// "planes" and "ceilings" have a TRIANGLE_LIST for each plane, "labels" and "ceiling labels" a
+/// text with id, label and area, "outlines" the boundaries of what was seen, "normals" an arrow to
+/// the observed side, and "edges" the lines where planes meet. Only changes are sent, because rviz
+/// rebuilds everything that it receives.
 class PlaneMarkers {
  public:
   /// Returns the changes since the last call; planes that are gone are deleted. Stripes between
@@ -28,7 +38,9 @@ class PlaneMarkers {
   void forget() { sent_.clear(); }
 
  private:
-  std::map<std::int64_t, std::size_t> sent_;  ///< hash of what was sent
+  using Key = std::pair<std::string, std::int32_t>;  // namespace and id
+
+  std::map<Key, std::size_t> sent_;  ///< hash of what was sent
 };
 
 /// Returns all planes in white as one marker: the model before a correction. Deletes the marker if

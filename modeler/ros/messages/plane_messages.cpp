@@ -6,9 +6,9 @@
 
 #include <algorithm>
 
-#include "modeler/io/colour.hpp"
 #include "modeler/io/planes_json.hpp"
 #include "modeler/ros/messages/message_conversions.hpp"
+#include "modeler/ros/messages/plane_markers.hpp"
 
 namespace ribbon_mapper {
 namespace {
@@ -37,11 +37,7 @@ BoundedPlane plane_message(const Plane& plane, bool with_cells) {
   const Eigen::AlignedBox3d box = bounding_box(plane);
   message.bbox_min = point_message(box.min());
   message.bbox_max = point_message(box.max());
-  for (const Outline& outline : plane.outlines) {
-    auto& outline_message = message.outlines.emplace_back();
-    outline_message.outer = polygon_message(outline.outer);
-    for (const auto& hole : outline.holes) outline_message.holes.push_back(polygon_message(hole));
-  }
+  message.outlines = outline_messages(plane.outlines);
   for (int i = 0; i < 9; ++i) message.covariance[i] = plane.covariance(i / 3, i % 3);
   message.axis_u = vector_message(plane.axis_u);
   message.axis_v = vector_message(plane.axis_v);
@@ -53,6 +49,16 @@ BoundedPlane plane_message(const Plane& plane, bool with_cells) {
 }
 
 }  // namespace
+
+std::vector<PlaneOutline> outline_messages(const std::vector<Outline>& outlines) {
+  std::vector<PlaneOutline> messages;
+  for (const Outline& outline : outlines) {
+    PlaneOutline& message = messages.emplace_back();
+    message.outer = polygon_message(outline.outer);
+    for (const auto& hole : outline.holes) message.holes.push_back(polygon_message(hole));
+  }
+  return messages;
+}
 
 PlaneArray plane_array_message(const std::vector<Plane>& planes, const std_msgs::Header& header,
                                std::size_t revision, bool with_cells,
@@ -70,6 +76,7 @@ PlaneArray plane_array_message(const std::vector<Plane>& planes, const std_msgs:
 }
 
 sensor_msgs::PointCloud2 cell_cloud(const std::vector<Plane>& planes,
+                                    const std::vector<PlaneLabel>& labels,
                                     const std_msgs::Header& header) {
   std::size_t count = 0;
   for (const Plane& plane : planes) count += plane.cells.size();
@@ -80,11 +87,12 @@ sensor_msgs::PointCloud2 cell_cloud(const std::vector<Plane>& planes,
   modifier.resize(count);
   sensor_msgs::PointCloud2Iterator<float> xyz(cloud, "x");
   sensor_msgs::PointCloud2Iterator<std::uint8_t> bgr(cloud, "rgb");
-  for (const Plane& plane : planes) {
-    const Colour colour = plane_colour(plane.id);
+  for (std::size_t i = 0; i < planes.size(); ++i) {
+    const Plane& plane = planes[i];
+    const Colour colour = shown_colour(plane, labels.at(i).rule);
     for (const PlaneCell& cell : plane.cells) {
       const Eigen::Vector3f centre = cell_centre(plane, cell).cast<float>();
-      for (int i = 0; i < 3; ++i) xyz[i] = centre[i];
+      for (int axis = 0; axis < 3; ++axis) xyz[axis] = centre[axis];
       bgr[0] = colour.blue, bgr[1] = colour.green, bgr[2] = colour.red;
       ++xyz, ++bgr;
     }

@@ -100,10 +100,20 @@ const std::vector<Plane>& ModelKeeper::planes() {
 const std::vector<PlaneLabel>& ModelKeeper::labels() {
   if (labels_version_ == version_) return labels_;
   const std::vector<const Annotation*> annotations = annotations_.of(planes());
-  const Semantics semantics = semantics_of(planes_, positions_of(modeler_.trajectory()));
-  labels_ = plane_labels(planes_, semantics, annotations);
+  semantics_ = semantics_of(planes_, positions_of(modeler_.trajectory()));
+  labels_ = plane_labels(planes_, semantics_, annotations);
   labels_version_ = version_;
   return labels_;
+}
+
+const Rooms& ModelKeeper::rooms() {
+  if (rooms_version_ == version_) return rooms_;
+  labels();  // and semantics_
+  RoomConfig config;
+  config.stripe_gap_m = stripe_gap_m_;
+  rooms_ = rooms_of(planes_, semantics_, config);
+  rooms_version_ = version_;
+  return rooms_;
 }
 
 void ModelKeeper::annotate(std::int64_t id, const std::string& label, const std::string& note) {

@@ -6,8 +6,14 @@
 
 #include "modeler/ros/messages/message_conversions.hpp"
 #include "modeler/ros/messages/plane_messages.hpp"
+#include "modeler/ros/messages/room_messages.hpp"
 
 namespace ribbon_mapper {
+namespace {
+
+bool is_wanted(const ros::Publisher& topic) { return topic.getNumSubscribers() > 0; }
+
+}  // namespace
 
 ModelPublisher::ModelPublisher(ros::NodeHandle& private_node, std::string map_frame)
     : map_frame_(std::move(map_frame)) {
@@ -23,6 +29,8 @@ ModelPublisher::ModelPublisher(ros::NodeHandle& private_node, std::string map_fr
   markers_ = advertise(visualization_msgs::MarkerArray(), "markers", false);
   markers_before_ = advertise(visualization_msgs::MarkerArray(), "markers_before", true);
   cloud_ = advertise(sensor_msgs::PointCloud2(), "cloud", true);
+  rooms_ = advertise(FloorRooms(), "rooms", true);
+  room_markers_ = advertise(visualization_msgs::MarkerArray(), "room_markers", true);
   trajectory_ = advertise(nav_msgs::Path(), "trajectory", true);
   trajectory_before_ = advertise(nav_msgs::Path(), "trajectory_before", true);
 }
@@ -37,10 +45,13 @@ std_msgs::Header ModelPublisher::header() const {
 void ModelPublisher::publish(ModelKeeper& keeper, Time done) {
   const bool all = std::exchange(all_again_, false);
   if (all) plane_markers_.forget();
-  if (all || version_ != keeper.version()) publish_planes(keeper);
+  if (all || version_ != keeper.version()) {
+    publish_planes(keeper);
+    publish_rooms(keeper);
+  }
   const std::size_t revision = keeper.modeler().statistics().revision;
   if (all || revision_ != revision) publish_before(keeper);
-  if ((all || version_ != keeper.version() || done_ != done) && trajectory_.getNumSubscribers() > 0)
+  if ((all || version_ != keeper.version() || done_ != done) && is_wanted(trajectory_))
     trajectory_.publish(path_message(keeper.modeler().trajectory(), map_frame_, done));
   version_ = keeper.version();
   revision_ = revision;
@@ -48,16 +59,21 @@ void ModelPublisher::publish(ModelKeeper& keeper, Time done) {
 }
 
 void ModelPublisher::publish_planes(ModelKeeper& keeper) {
-  const auto wanted = [](const ros::Publisher& topic) { return topic.getNumSubscribers() > 0; };
-  if (!wanted(planes_) && !wanted(markers_) && !wanted(cloud_)) return;
+  if (!is_wanted(planes_) && !is_wanted(markers_) && !is_wanted(cloud_)) return;
   const std::vector<Plane>& planes = keeper.planes();
   const std::size_t revision = keeper.modeler().statistics().revision;
-  if (wanted(planes_))
+  if (is_wanted(planes_))
     planes_.publish(plane_array_message(planes, header(), revision, false, keeper.labels()));
-  if (wanted(markers_))
+  if (is_wanted(markers_))
     markers_.publish(
         plane_markers_.changes(planes, keeper.labels(), keeper.stripe_gap_m(), header()));
-  if (wanted(cloud_)) cloud_.publish(cell_cloud(planes, header()));
+  if (is_wanted(cloud_)) cloud_.publish(cell_cloud(planes, keeper.labels(), header()));
+}
+
+void ModelPublisher::publish_rooms(ModelKeeper& keeper) {
+  if (is_wanted(rooms_))
+    rooms_.publish(rooms_message(keeper.rooms(), header(), keeper.modeler().statistics().revision));
+  if (is_wanted(room_markers_)) room_markers_.publish(room_markers(keeper.rooms(), header()));
 }
 
 void ModelPublisher::publish_before(const ModelKeeper& keeper) {

@@ -12,8 +12,9 @@
 
 namespace ribbon_mapper {
 
-/// Publishes the model on ~planes, ~markers, ~markers_before, ~cloud, ~trajectory and
-/// ~trajectory_before. Publishes only changes, and planes only while somebody subscribes to them.
+/// Publishes the model on ~planes, ~markers, ~markers_before, ~cloud, ~rooms, ~room_markers,
+/// ~trajectory and ~trajectory_before. Publishes only changes, and what is made of planes only
+/// while somebody subscribes to it.
 class ModelPublisher {
  public:
   /// Advertises the topics.
@@ -26,10 +27,12 @@ class ModelPublisher {
  private:
   std_msgs::Header header() const;
   void publish_planes(ModelKeeper& keeper);
+  void publish_rooms(ModelKeeper& keeper);
   void publish_before(const ModelKeeper& keeper);
 
   std::string map_frame_;
-  ros::Publisher planes_, markers_, markers_before_, cloud_, trajectory_, trajectory_before_;
+  ros::Publisher planes_, markers_, markers_before_, cloud_, rooms_, room_markers_;
+  ros::Publisher trajectory_, trajectory_before_;
   PlaneMarkers plane_markers_;
   std::size_t version_ = 0, revision_ = 0;
   Time done_{-1};

@@ -35,9 +35,9 @@ std::string find_defect(const GetModel::Request& request, bool has_before) {
 std::string page_of(ModelKeeper& keeper, const ReportHead& head) {
   const ModelStatistics statistics = keeper.modeler().statistics();
   const ModelKeeper::Before& before = keeper.before();
-  ModelHistory history{"before the correction", nullptr,
-                       before.trajectory,       "now",
-                       &keeper.planes(),        keeper.modeler().trajectory()};
+  ModelHistory history{
+      "before the correction",       nullptr,         before.trajectory, "now", &keeper.planes(),
+      keeper.modeler().trajectory(), keeper.labels(), keeper.rooms()};
   if (statistics.revision > 0 && !before.trajectory.empty()) history.planes_before = &before.planes;
   Report report = report_of(head, history);
   report.add_fact("Lines", std::to_string(keeper.log().lines()) + ", " +
@@ -86,7 +86,7 @@ Save::Response save_response(const std::string& name, ModelKeeper& keeper,
     };
     for (const std::filesystem::path& file :
          save_model(planes, directory, name, keeper.stripe_gap_m(), frame,
-                    {keeper.file_bytes(frame), keeper.labels(), page}))
+                    {keeper.file_bytes(frame), keeper.labels(), page, keeper.rooms()}))
       response.message += " " + file.string();
     response.success = true;
   } catch (const std::exception& error) {

@@ -58,7 +58,7 @@ std::string offline_page(const OfflineRun& run, const std::string& run_id) {
   head.parameters = run.parameters;
   Report report =
       report_of(head, {"recorded poses, as built", &run.planes_before, run.trajectory_before,
-                       "final", &run.planes_after, run.trajectory});
+                       "final", &run.planes_after, run.trajectory, run.labels, run.rooms});
   add_facts(run.summary, report);
   return report.html();
 }

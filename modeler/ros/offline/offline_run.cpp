@@ -236,6 +236,8 @@ OfflineRun model_bags(const OfflineOptions& options, const ProgressCallback& pro
   if (!poses.empty()) keeper.correct(poses);
   if (const auto text = modelling.turns.contradiction(poses)) run.summary.notes.push_back(*text);
   run.planes_after = keeper.planes();
+  run.labels = keeper.labels();
+  run.rooms = keeper.rooms();
   run.stripe_gap_m = config.surface.stripe_gap_m;
   run.frame = options.bag.intake.frames.map;
   run.parameters = changed_keys(config);
@@ -260,7 +262,8 @@ void write_model(const OfflineRun& run, const std::filesystem::path& directory, 
   files.add(std::string("model") + kModelFileEnding, run.model_file);
   files.add("summary.json", summary_to_json(run.summary, label.run));
   files.add("report.html", offline_page(run, label.run));
-  add_model(run.planes_after, label, "planes_after", run.stripe_gap_m, files);
+  files.add("rooms.json", rooms_to_json(run.rooms, label));
+  add_model(run.planes_after, label, "planes_after", run.stripe_gap_m, files, run.labels);
   if (run.maps) add_maps(*run.maps, label, "map", files);
   if (with_figure) draw_figure(Figure::model_views, files.folder(), directory);
   files.commit();

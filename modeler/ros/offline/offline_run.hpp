@@ -12,6 +12,8 @@
 #include "modeler/report/changed_keys.hpp"
 #include "modeler/ros/offline/offline_options.hpp"
 #include "modeler/ros/offline/offline_summary.hpp"
+#include "modeler/semantics/plane_label.hpp"
+#include "modeler/semantics/rooms.hpp"
 #include "modeler/surface/plane.hpp"
 #include "modeler/surface/surface_config.hpp"
 
@@ -22,6 +24,8 @@ struct OfflineRun {
   OfflineSummary summary;                              ///< without time and memory used
   std::vector<Plane> planes_before;                    ///< recorded poses, as built on the way
   std::vector<Plane> planes_after;                     ///< the final model
+  std::vector<PlaneLabel> labels;                      ///< of its planes
+  Rooms rooms;                                         ///< of the final model
   double stripe_gap_m = SurfaceConfig{}.stripe_gap_m;  ///< as configured, for the mesh
   std::string frame = "map";                           ///< frame of the model
   std::vector<StampedPose> trajectory_before;          ///< acquisition poses as recorded

@@ -91,7 +91,7 @@ std::string summary_text(const OfflineSummary& s) {
   for (const auto& [outcome, count] : s.handled_lines)
     text << "  " << outcome << ": " << count << "\n";
   text << s.planes << " planes (" << s.planes_before << " as built on the way), " << s.duplicates
-       << " duplicates";
+       << (s.duplicates == 1 ? " duplicate" : " duplicates");
   if (s.residual_m_median) text << ", median residual " << 1e3 * *s.residual_m_median << " mm";
   text << "\nposes: " << s.trajectory << "\n";
   text << s.recording_s << " s of recording in " << std::setprecision(2) << s.wall_s << " s ("

@@ -69,6 +69,13 @@ TEST(Polygons, HaveADistanceFromPoints) {
   EXPECT_TRUE(std::isinf(distance({}, {0.0, 0.0})));
 }
 
+TEST(Polygons, HaveAnInmostPointThatIsInside) {
+  const Polygons around{{box(0, 0, 10, 10), {box(1, 1, 6, 8)}}};  // its mean is in the hole
+  const Eigen::Vector2d inmost = inmost_point(around, 0.01);
+  EXPECT_NEAR(8.5, inmost.x(), 0.02);
+  EXPECT_EQ(0.0, distance(around, inmost));
+}
+
 TEST(Polygons, AreValidIfTheirRingsDoNotIntersect) {
   EXPECT_TRUE(is_valid(kSquare[0]));
   EXPECT_FALSE(is_valid({{{0, 0}, {1, 1}, {1, 0}, {0, 1}}, {}}));

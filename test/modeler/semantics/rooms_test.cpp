@@ -52,6 +52,20 @@ TEST(Rooms, WithoutAWallAreOne) {
   EXPECT_TRUE(rooms_in(planes).passages.empty());
 }
 
+TEST(Rooms, HaveNamesAndOutlinesAtTheHeightOfTheFloor) {
+  EXPECT_EQ("A", room_name(0));
+  EXPECT_EQ("Z", room_name(25));
+  EXPECT_EQ("AA", room_name(26));
+  EXPECT_EQ("ZZ", room_name(701));
+  EXPECT_EQ("AAA", room_name(702));
+  const Polygon square{{{0, 0}, {3, 0}, {3, 3}, {0, 3}}, {{{1, 1}, {1, 2}, {2, 2}}}};
+  const std::vector<Outline> outlines = floor_outlines({8.5, {0.5, 0.5, -0.2}, {square}});
+  ASSERT_EQ(1u, outlines.size());
+  EXPECT_EQ(Vector3d(3, 3, -0.2), outlines[0].outer[2]);
+  ASSERT_EQ(1u, outlines[0].holes.size());
+  EXPECT_EQ(Vector3d(2, 2, -0.2), outlines[0].holes[0][2]);
+}
+
 TEST(Rooms, OfNothingAreNone) { EXPECT_TRUE(rooms_in({}).rooms.empty()); }
 
 }  // namespace
