@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "eval/experiment/run_options.hpp"
+#include "modeler/mesh/mesh_file.hpp"
 
 namespace ribbon_mapper::eval {
 
@@ -21,6 +22,8 @@ struct ExperimentOptions {
 
   std::filesystem::path output = "results/experiment";  ///< folder for the results
   bool with_figure = true;                              ///< draw a figure
+  bool with_floor_plan = false;                         ///< draw the floor plan
+  std::vector<MeshFormat> mesh_formats{MeshFormat::gltf};  ///< of the mesh of the planes
   bool line_only = false;  ///< print the lines of runs.jsonl, write no files
   bool calibrate = false;  ///< learn the tolerances instead
   std::string command;     ///< the command line as given

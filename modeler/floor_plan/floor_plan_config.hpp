@@ -27,6 +27,10 @@ struct FloorPlanConfig {
   /// Depth of such a wall where it bounds a room [m], as RoomConfig::wall_m.
   double unseen_depth_m = 0.08;
 
+  /// Largest gap in a wall that ends no room [m]: less than the narrowest door has, see
+  /// LabelConfig::least_door_width_m. A cupboard or a plant hides the wall there.
+  double bridged_m = 0.5;
+
   /// Heights above the floor between which a wall must be open to be walked through [m]: above
   /// skirting boards and thresholds, below lintels.
   double band_begin_m = 0.2;

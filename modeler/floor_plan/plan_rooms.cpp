@@ -24,6 +24,37 @@ Polygon strip(const Eigen::Vector2d& a, const Eigen::Vector2d& b, const Eigen::V
   return polygon;
 }
 
+/// Returns how far a wall that ends at a point, going in a direction, is from what it ends before:
+/// nothing if it ends there, or if there is nothing near.
+std::optional<double> gap_before_m(const Eigen::Vector2d& end, const Eigen::Vector2d& direction,
+                                   const Polygons& barriers, double reach_m) {
+  constexpr double kStep_m = 0.02;
+  for (double ahead_m = kStep_m; ahead_m <= reach_m; ahead_m += kStep_m) {
+    if (distance(barriers, end + ahead_m * direction) > 0.0) continue;
+    if (ahead_m == kStep_m) return std::nullopt;
+    return ahead_m;
+  }
+  return std::nullopt;
+}
+
+/// Returns strips that lengthen walls as far as the next one, where less than a door is missing:
+/// something hides the wall there.
+std::vector<Polygon> bridges_between(const std::vector<PlanWall>& walls, const Polygons& barriers,
+                                     const FloorPlanConfig& config) {
+  std::vector<Polygon> bridges;
+  for (const PlanWall& wall : walls) {
+    const Eigen::Vector2d along = (wall.face[1] - wall.face[0]).normalized();
+    const double depth_m = wall.thickness_m.value_or(config.unseen_depth_m);
+    for (const auto& [end, direction] :
+         {std::pair(wall.face[0], Eigen::Vector2d(-along)), std::pair(wall.face[1], along)}) {
+      const Eigen::Vector2d inside = end - 0.5 * depth_m * wall.normal;
+      const auto gap_m = gap_before_m(inside, direction, barriers, config.bridged_m);
+      if (gap_m) bridges.push_back(strip(end, end + *gap_m * direction, wall.normal, -depth_m, 0.0));
+    }
+  }
+  return bridges;
+}
+
 /// Returns what bounds rooms: walls, and openings as if they were shut.
 Polygons barriers(const std::vector<PlanWall>& walls, const std::vector<PlanOpening>& openings,
                   const FloorPlanConfig& config) {
@@ -38,6 +69,8 @@ Polygons barriers(const std::vector<PlanWall>& walls, const std::vector<PlanOpen
     all.push_back(strip(opening.jambs[0], opening.jambs[1], opening.normal, ahead_m - 2.0 * half_m,
                         ahead_m));
   }
+  const std::vector<Polygon> bridges = bridges_between(walls, all, config);
+  all.insert(all.end(), bridges.begin(), bridges.end());
   return all.empty() ? all : grown(all, 0.0);
 }
 

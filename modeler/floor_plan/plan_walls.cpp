@@ -35,6 +35,14 @@ PlanWall wall_of(const FacePair& pair, const std::vector<WallFace>& faces) {
   return wall;
 }
 
+/// Removes what is narrower than 2 mm.
+Polygons without_slivers(const Polygons& polygons) {
+  constexpr double kHalf_m = 0.001;
+  if (polygons.empty()) return polygons;
+  const Polygons core = grown(polygons, -kHalf_m);
+  return core.empty() ? core : grown(core, kHalf_m);
+}
+
 /// Removes from each footprint what lies in one before it: at corners.
 void part(std::vector<PlanWall>& walls) {
   std::vector<Eigen::AlignedBox2d> boxes;
@@ -47,9 +55,10 @@ void part(std::vector<PlanWall>& walls) {
         walls[i].footprint = difference(walls[i].footprint, whole[k]);
       }
     }
+    walls[i].footprint = without_slivers(walls[i].footprint);
   }
   walls.erase(std::remove_if(walls.begin(), walls.end(),
-                             [](const PlanWall& wall) { return area(wall.footprint) < 1e-4; }),
+                             [](const PlanWall& wall) { return wall.footprint.empty(); }),
               walls.end());
 }
 

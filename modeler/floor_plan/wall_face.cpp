@@ -14,12 +14,34 @@ namespace {
 
 constexpr double kCut_m = 1.0;          // above the floor
 constexpr double kLeastLevel = 0.5;     // of a normal's level part: walls lean by up to 30 degrees
+constexpr double kTongue_m = 0.2;       // height of stray cells at the end of a wall
 constexpr double kOpenFrom_m = 0.55;    // least width of a gap, as LabelConfig::least_door_width_m
 constexpr double kStripBegin_m = 0.02;  // of the floor behind a face; a floor that ends at a wall
 constexpr double kStripEnd_m = 0.1;     // reaches into it by half a cell
 
 bool is_floor(Label label, const Plane& plane) {
   return label == Label::floor || (label == Label::slope && plane.normal.z() > 0.0);
+}
+
+Polygons stretched(Polygons polygons, double factor) {
+  const auto stretch = [&](Ring& ring) {
+    for (Eigen::Vector2d& point : ring) point.x() *= factor;
+  };
+  for (Polygon& polygon : polygons) {
+    stretch(polygon.outer);
+    std::for_each(polygon.holes.begin(), polygon.holes.end(), stretch);
+  }
+  return polygons;
+}
+
+/// Returns an elevation without what is low: stray cells beside a wall. Stretched along the wall,
+/// it loses and regains a margin above and below, but none at its ends.
+Polygons without_tongues(const Polygons& elevation) {
+  constexpr double kStretch = 1000.0;
+  if (elevation.empty()) return elevation;
+  const Polygons core = grown(stretched(elevation, kStretch), -0.5 * kTongue_m);
+  if (core.empty()) return core;
+  return stretched(grown(core, 0.5 * kTongue_m), 1.0 / kStretch);
 }
 
 /// Returns the outlines of a wall as polygons of position along the face and height.
@@ -81,7 +103,7 @@ std::optional<WallFace> face_of(const Plane& plane, double floor_m, const Polygo
   face.plane = plane.id;
   face.normal = plane.normal.head<2>() / level;
   face.distance_m = -(plane.d_m + plane.normal.z() * (floor_m + kCut_m)) / level;
-  const Polygons elevation = elevation_of(plane, face);
+  const Polygons elevation = without_tongues(elevation_of(plane, face));
   face.seen = shadow_of(elevation);
   for (const Interval& piece : hanging_of(elevation, face.seen, floor_m, config)) {
     if (piece.length() < kOpenFrom_m) continue;

@@ -42,6 +42,7 @@ std::vector<fs::path> save_model(const std::vector<Plane>& planes, const fs::pat
   add_model(planes, label, name, stripe_gap_m, files, beside.labels);
   if (!beside.model_file.empty()) files.add(name + ".ribbons", beside.model_file);
   if (beside.page) files.add(name + ".html", beside.page(label.run));
+  if (beside.more) beside.more(label, files);
   return files.commit();
 }
 

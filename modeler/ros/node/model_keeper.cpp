@@ -97,10 +97,15 @@ const std::vector<Plane>& ModelKeeper::planes() {
 const std::vector<PlaneLabel>& ModelKeeper::labels() {
   if (labels_version_ == version_) return labels_;
   const std::vector<const Annotation*> annotations = annotations_.of(planes());
-  const Semantics semantics = semantics_of(planes_, positions_of(modeler_.trajectory()));
-  labels_ = plane_labels(planes_, semantics, annotations);
+  semantics_ = semantics_of(planes_, positions_of(modeler_.trajectory()));
+  labels_ = plane_labels(planes_, semantics_, annotations);
   labels_version_ = version_;
   return labels_;
+}
+
+const Semantics& ModelKeeper::semantics() {
+  labels();  // of the same version
+  return semantics_;
 }
 
 void ModelKeeper::annotate(std::int64_t id, const std::string& label, const std::string& note) {

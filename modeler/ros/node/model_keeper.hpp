@@ -13,6 +13,7 @@
 #include "modeler/ros/intake/line_intake.hpp"
 #include "modeler/ros/intake/line_log.hpp"
 #include "modeler/semantics/plane_label.hpp"
+#include "modeler/semantics/semantics.hpp"
 
 namespace ribbon_mapper {
 
@@ -52,6 +53,8 @@ class ModelKeeper {
 
   /// Returns the labels of planes(), in their order.
   const std::vector<PlaneLabel>& labels();
+  /// Returns what the rules say about planes(), see semantics_of().
+  const Semantics& semantics();
   /// Annotates a plane of planes(). Throws as Annotations::set().
   void annotate(std::int64_t id, const std::string& label, const std::string& note);
   /// Returns what people have said about the planes.
@@ -82,6 +85,7 @@ class ModelKeeper {
   std::size_t version_ = 1, planes_version_ = 0;
   std::vector<Plane> planes_;  ///< of planes_version_
   std::size_t labels_version_ = 0;
+  Semantics semantics_;             ///< of labels_version_
   std::vector<PlaneLabel> labels_;  ///< of labels_version_
   Annotations annotations_;
   Before before_;

@@ -4,7 +4,9 @@
 
 #include <filesystem>
 #include <string>
+#include <vector>
 
+#include "modeler/mesh/mesh_file.hpp"
 #include "modeler/modeler_config.hpp"
 #include "modeler/ros/intake/time_jump.hpp"
 #include "modeler/ros/maps/map_server.hpp"
@@ -23,6 +25,7 @@ struct ModelerParameters {
   bool resume = false;               ///< begin with the autosave, if it is there
   double autosave_period_s = 0.0;    ///< how often the model is saved; 0: never
   MapServerOptions maps;             ///< maps for robots
+  std::vector<MeshFormat> mesh_formats;  ///< what ~save writes for other programs
 };
 
 /// Reads the parameters. Throws std::invalid_argument with the name and what is allowed if one is

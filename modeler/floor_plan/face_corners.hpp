@@ -1,0 +1,16 @@
+// SPDX-FileCopyrightText: 2026 ribbon_mapper authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <vector>
+
+#include "modeler/floor_plan/floor_plan_config.hpp"
+#include "modeler/floor_plan/wall_face.hpp"
+
+namespace ribbon_mapper {
+
+/// Moves the ends of faces that nearly meet in a corner into it. An end moves by up to
+/// FloorPlanConfig::joint_m; where there are several corners, into the nearest one.
+void fit_corners(std::vector<WallFace>& faces, const FloorPlanConfig& config);
+
+}  // namespace ribbon_mapper
