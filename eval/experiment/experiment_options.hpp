@@ -20,9 +20,9 @@ struct ExperimentOptions {
   bool is_series = false;  ///< several runs or `--seeds`: writes runs.jsonl and a summary
   std::size_t jobs = 1;    ///< runs at a time
 
-  std::filesystem::path output = "results/experiment";  ///< folder for the results
-  bool with_figure = true;                              ///< draw a figure
-  bool with_floor_plan = false;                         ///< draw the floor plan
+  std::filesystem::path output = "results/experiment";     ///< folder for the results
+  bool with_figure = true;                                 ///< draw a figure
+  bool with_floor_plan = false;                            ///< draw the floor plan
   std::vector<MeshFormat> mesh_formats{MeshFormat::gltf};  ///< of the mesh of the planes
   bool line_only = false;  ///< print the lines of runs.jsonl, write no files
   bool calibrate = false;  ///< learn the tolerances instead

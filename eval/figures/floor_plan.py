@@ -139,6 +139,20 @@ def axes_cross(axes, plan, limits):
     axes.text(x - 0.15 * MARGIN_M, y, plan.frame, ha="right", va="bottom", fontsize=6, color=TEXT)
 
 
+def legend(axes, plan, limits):
+    """Says what black and grey walls are, below the plan in its middle, if there are both."""
+    (left, right), (low, _) = limits
+    faces = {properties["faces"] for properties, _ in plan.of_kind("wall")}
+    if faces != {1, 2} or right - left < 8.0 * MARGIN_M:
+        return
+    x, y = 0.5 * (left + right), low + 0.25 * MARGIN_M
+    for dy, colour, text in ((0.3, WALL, "both faces seen"), (0.0, SHADE, "one face seen")):
+        axes.add_patch(Rectangle((x, y + dy * MARGIN_M), 0.4 * MARGIN_M, 0.12 * MARGIN_M,
+                                 linewidth=0.5, edgecolor="none", facecolor=colour))
+        axes.text(x + 0.55 * MARGIN_M, y + (dy + 0.06) * MARGIN_M, text, va="center", fontsize=6,
+                  color=TEXT)
+
+
 def limits_of(plan):
     """Returns the ranges of x and y [m]: an empty plan has 2 m of each."""
     points = []
@@ -185,6 +199,7 @@ def draw(plan):
     label_rooms(axes, plan, inch_per_m)
     scale_bar(axes, limits)
     axes_cross(axes, plan, limits)
+    legend(axes, plan, limits)
     figure.text(0.5, 1.0 - 0.6 * title_in / (height + title_in), title_of(plan), ha="center",
                 va="center", fontsize=9)
     return figure

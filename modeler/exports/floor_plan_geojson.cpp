@@ -106,8 +106,8 @@ std::vector<Json> features_of(const FloorPlan& plan) {
   }
   for (const PlanWall& wall : plan.walls) features.push_back(wall_feature(wall));
   if (!plan.solid.empty()) {
-    features.push_back(feature({{"kind", "solid"}, {"area_m2", rounded(area(plan.solid))}},
-                               to_json(plan.solid)));
+    features.push_back(
+        feature({{"kind", "solid"}, {"area_m2", rounded(area(plan.solid))}}, to_json(plan.solid)));
   }
   for (std::size_t i = 0; i < plan.openings.size(); ++i) {
     features.push_back(opening_feature(plan.openings[i], i + 1));

@@ -15,7 +15,6 @@ namespace {
 constexpr double kLeastSine = 0.35;  // of the angle at a corner: from 20 degrees on
 constexpr double kSquare_m = 1.0;    // of the top view; more than a joint
 
-
 /// Returns where the line of a face crosses that of another one, along the first; nothing if they
 /// are nearly parallel.
 std::optional<double> crossing_m(const WallFace& face, const WallFace& other) {
@@ -49,7 +48,8 @@ class Corners {
   }
 
   /// Returns where an end belongs: at the nearest corner, or where it is.
-  double fitted_m(std::size_t index, double along_m) const {
+  /// `side` is 1 for an upper end, -1 for a lower one.
+  double fitted_m(std::size_t index, double along_m, double side) const {
     const WallFace& face = faces_[index];
     double result_m = along_m, least_m = std::numeric_limits<double>::infinity();
     view_.for_each_around(face.at(along_m), 1, [&](std::size_t other) {
@@ -57,7 +57,10 @@ class Corners {
       if (!corner_m) return;
       const double moved_m = std::abs(*corner_m - along_m);
       const double apart_m = gap_m(faces_[other], faces_[other].along_m(face.at(*corner_m)));
-      if (moved_m > config_.joint_m || apart_m > config_.joint_m) return;
+      const bool is_before =
+          side * faces_[other].normal.dot(face.along()) > 0.0 && side * (along_m - *corner_m) > 0.0;
+      if (moved_m > (is_before ? config_.overshoot_m : config_.joint_m)) return;
+      if (apart_m > config_.joint_m) return;
       if (moved_m + apart_m >= least_m) return;
       least_m = moved_m + apart_m;
       result_m = *corner_m;
@@ -79,7 +82,8 @@ void fit_corners(std::vector<WallFace>& faces, const FloorPlanConfig& config) {
   for (std::size_t i = 0; i < faces.size(); ++i) {
     Intervals& pieces = fitted.emplace_back();
     for (const Interval& piece : faces[i].seen) {
-      const Interval moved{corners.fitted_m(i, piece.begin), corners.fitted_m(i, piece.end)};
+      const Interval moved{corners.fitted_m(i, piece.begin, -1.0),
+                           corners.fitted_m(i, piece.end, 1.0)};
       if (moved.begin < moved.end) pieces.push_back(moved);
     }
   }

@@ -10,7 +10,8 @@
 namespace ribbon_mapper {
 
 /// Moves the ends of faces that nearly meet in a corner into it. An end moves by up to
-/// FloorPlanConfig::joint_m; where there are several corners, into the nearest one.
+/// FloorPlanConfig::joint_m, and by up to overshoot_m if it lies before the other face, where
+/// nothing is. Where there are several corners, it moves into the nearest one.
 void fit_corners(std::vector<WallFace>& faces, const FloorPlanConfig& config);
 
 }  // namespace ribbon_mapper

@@ -143,8 +143,7 @@ class Pairing {
   }
 
   Interval piece_on(std::size_t face, const FacePair& pair) const {
-    return face == pair.front ? pair.piece
-                              : on_face(faces_[face], faces_[pair.front], pair.piece);
+    return face == pair.front ? pair.piece : on_face(faces_[face], faces_[pair.front], pair.piece);
   }
 
   void extend(std::size_t face, const Interval& piece, FacePair& pair) const {

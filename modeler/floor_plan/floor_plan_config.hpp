@@ -18,8 +18,13 @@ struct FloorPlanConfig {
   /// parallel. A wedge of 5 degrees over a room of 4 m is 35 cm thicker at one end.
   double parallel_deg = 5.0;
 
-  /// Largest gap between faces that meet in a corner [m]: two cells, since each face ends at a cell.
+  /// Largest gap between faces that meet in a corner [m]: two cells, since each face ends at a
+  /// cell.
   double joint_m = 0.1;
+
+  /// Largest length of stray cells beyond an outer corner [m], as SurfaceConfig::stripe_gap_m: the
+  /// lines resolve nothing that is narrower.
+  double overshoot_m = 0.3;
 
   /// Least length of a wall of which one face was seen [m], as two cells.
   double least_length_m = 0.1;

@@ -13,6 +13,7 @@ namespace ribbon_mapper {
 namespace {
 
 constexpr double kAcrossCosine = 0.17;  // within 10 degrees of a right angle
+constexpr double kJambReach_m = 0.25;   // of a jamb from where stray cells put it
 constexpr double kSameShare = 0.5;      // of the narrower one, where two gaps are one opening
 
 /// A gap in one face.
@@ -47,7 +48,6 @@ std::vector<Gap> gaps_in(const std::vector<WallFace>& faces, const Semantics& se
   return gaps;
 }
 
-
 bool are_parallel(const WallFace& a, const WallFace& b, const FloorPlanConfig& config) {
   return std::abs(a.normal.dot(b.normal)) >= std::cos(config.parallel_deg * kDegree);
 }
@@ -62,8 +62,7 @@ bool is_same_opening(const Gap& a, const Gap& b, const FloorPlanConfig& config) 
     return false;
   }
   const Interval other = on_face(*a.face, *b.face, b.piece);
-  const double both_m =
-      std::min(a.piece.end, other.end) - std::max(a.piece.begin, other.begin);
+  const double both_m = std::min(a.piece.end, other.end) - std::max(a.piece.begin, other.begin);
   return both_m >= kSameShare * std::min(a.piece.length(), other.length());
 }
 
@@ -99,16 +98,48 @@ std::optional<double> depth_at(const Gap& gap, const std::vector<WallFace>& face
   return least_m;
 }
 
+/// The mean of positions, or what stands for it if there are none.
+class Mean {
+ public:
+  void add(double value) {
+    sum_ += value;
+    ++count_;
+  }
+  double or_else(double other) const { return count_ > 0 ? sum_ / count_ : other; }
+
+ private:
+  double sum_ = 0.0;
+  int count_ = 0;
+};
+
 /// Returns the mean of the ends of the gaps, along the first face.
 Interval mean_piece(const GapGroup& group) {
-  Interval mean;
-  const double share = 1.0 / static_cast<double>(group.size());
+  Mean begin, end;
   for (const Gap& gap : group) {
     const Interval piece = on_face(*group.front().face, *gap.face, gap.piece);
-    mean.begin += share * piece.begin;
-    mean.end += share * piece.end;
+    begin.add(piece.begin);
+    end.add(piece.end);
   }
-  return mean;
+  return {begin.or_else(0.0), end.or_else(0.0)};
+}
+
+/// Returns an opening between the solid pieces beside it, in all faces of its wall. A cell at a
+/// jamb is seen whole, though the wall fills half of it in the mean.
+Interval between_solid(const WallFace& wall, const Interval& piece,
+                       const std::vector<WallFace>& faces, const FloorPlanConfig& config) {
+  Mean begin, end;
+  for (const WallFace& face : faces) {
+    if (!are_parallel(wall, face, config)) continue;
+    const double depth_m = wall.depth_m(face.at(face.along_m(wall.at(piece.middle()))));
+    if (depth_m < -config.joint_m || depth_m > config.greatest_thickness_m) continue;
+    for (const Interval& own : face.solid) {
+      const Interval solid = on_face(wall, face, own);
+      const double begin_m = solid.end - 0.5 * face.cell_m, end_m = solid.begin + 0.5 * face.cell_m;
+      if (std::abs(begin_m - piece.begin) <= kJambReach_m) begin.add(begin_m);
+      if (std::abs(end_m - piece.end) <= kJambReach_m) end.add(end_m);
+    }
+  }
+  return {begin.or_else(piece.begin), end.or_else(piece.end)};
 }
 
 /// Returns whether a face is the reveal at a jamb: across the wall, no deeper than it, turned to
@@ -121,23 +152,21 @@ bool is_reveal_at(const WallFace& reveal, const WallFace& wall, double jamb_m, d
   const Interval whole{reveal.seen.front().begin, reveal.seen.back().end};
   const Eigen::Vector2d middle = reveal.at(whole.middle());
   const double middle_m = wall.depth_m(middle);
-  return whole.length() <= depth_m + 2.0 * config.joint_m && middle_m > 0.0 &&
-         middle_m < depth_m && std::abs(wall.along_m(middle) - jamb_m) <= config.joint_m;
+  return whole.length() <= depth_m + 2.0 * config.joint_m && middle_m > 0.0 && middle_m < depth_m &&
+         std::abs(wall.along_m(middle) - jamb_m) <= config.joint_m;
 }
 
 /// Moves a jamb to the reveals there, and notes their planes.
 void fit_jamb(double& jamb_m, double side, const WallFace& wall, const std::vector<WallFace>& faces,
               const FloorPlanConfig& config, PlanOpening& opening) {
-  double sum_m = 0.0;
-  int count = 0;
+  Mean mean;
   const double depth_m = opening.depth_m.value_or(config.greatest_thickness_m);
   for (const WallFace& face : faces) {
     if (!is_reveal_at(face, wall, jamb_m, side, depth_m, config)) continue;
-    sum_m += wall.along_m(face.at(face.seen.front().middle()));
-    ++count;
+    mean.add(wall.along_m(face.at(face.seen.front().middle())));
     opening.planes.push_back(face.plane);
   }
-  if (count > 0) jamb_m = sum_m / count;
+  jamb_m = mean.or_else(jamb_m);
 }
 
 PlanOpening opening_of(const GapGroup& group, const std::vector<WallFace>& faces,
@@ -152,7 +181,7 @@ PlanOpening opening_of(const GapGroup& group, const std::vector<WallFace>& faces
     if (!opening.head_m) opening.head_m = gap.door->head_m;
   }
   opening.depth_m = depth_at(group.front(), faces, config);
-  Interval piece = mean_piece(group);
+  Interval piece = between_solid(face, mean_piece(group), faces, config);
   fit_jamb(piece.begin, -1.0, face, faces, config, opening);
   fit_jamb(piece.end, 1.0, face, faces, config, opening);
   const Eigen::Vector2d to_middle = -0.5 * opening.depth_m.value_or(0.0) * face.normal;
@@ -192,10 +221,9 @@ std::vector<PlanOpening> plan_openings(const std::vector<Plane>& planes, const S
   }
   hang_leaves(planes, semantics, config, openings);
   for (const PlanOpening& opening : openings) {
-    faces.erase(
-        std::remove_if(faces.begin(), faces.end(),
-                       [&](const WallFace& face) { return is_reveal_of(opening, face); }),
-        faces.end());
+    faces.erase(std::remove_if(faces.begin(), faces.end(),
+                               [&](const WallFace& face) { return is_reveal_of(opening, face); }),
+                faces.end());
     for (WallFace& face : faces) cut(opening, config, face);
   }
   return openings;

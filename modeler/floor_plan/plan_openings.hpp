@@ -15,7 +15,7 @@ namespace ribbon_mapper {
 
 /// A door leaf, seen from above.
 struct PlanLeaf {
-  std::int64_t plane = 0;                            ///< id of the plane
+  std::int64_t plane = 0;                           ///< id of the plane
   Eigen::Vector2d hinge = Eigen::Vector2d::Zero();  ///< where it hangs, in map [m]
   Eigen::Vector2d tip = Eigen::Vector2d::Zero();    ///< its other edge, in map [m]
 };
@@ -27,11 +27,11 @@ struct PlanOpening {
   /// Ends of the sill in the middle of the wall, or on the face if one face was seen; in map [m].
   std::array<Eigen::Vector2d, 2> jambs = {Eigen::Vector2d::Zero(), Eigen::Vector2d::Zero()};
   Eigen::Vector2d normal = Eigen::Vector2d::UnitX();  ///< across the wall, to the first side
-  std::optional<double> depth_m;                       ///< thickness of the wall, if it is known
-  double sill_m = 0.0;                                 ///< height of the floor in it
-  std::optional<double> head_m;                        ///< height of the lintel, if it was seen
-  std::vector<PlanLeaf> leaves;                        ///< at most one at each jamb
-  std::vector<std::size_t> rooms;                      ///< indices of the rooms beside it
+  std::optional<double> depth_m;                      ///< thickness of the wall, if it is known
+  double sill_m = 0.0;                                ///< height of the floor in it
+  std::optional<double> head_m;                       ///< height of the lintel, if it was seen
+  std::vector<PlanLeaf> leaves;                       ///< at most one at each jamb
+  std::vector<std::size_t> rooms;                     ///< indices of the rooms beside it
 
   /// Returns true for a door: a lintel or a leaf was seen. Otherwise, the wall is open to the
   /// ceiling, or nobody has seen that it is not.

@@ -49,7 +49,8 @@ std::vector<Polygon> bridges_between(const std::vector<PlanWall>& walls, const P
          {std::pair(wall.face[0], Eigen::Vector2d(-along)), std::pair(wall.face[1], along)}) {
       const Eigen::Vector2d inside = end - 0.5 * depth_m * wall.normal;
       const auto gap_m = gap_before_m(inside, direction, barriers, config.bridged_m);
-      if (gap_m) bridges.push_back(strip(end, end + *gap_m * direction, wall.normal, -depth_m, 0.0));
+      if (gap_m)
+        bridges.push_back(strip(end, end + *gap_m * direction, wall.normal, -depth_m, 0.0));
     }
   }
   return bridges;
@@ -66,8 +67,8 @@ Polygons barriers(const std::vector<PlanWall>& walls, const std::vector<PlanOpen
   for (const PlanOpening& opening : openings) {
     const double half_m = 0.5 * opening.depth_m.value_or(config.unseen_depth_m);
     const double ahead_m = opening.depth_m ? half_m : 0.0;
-    all.push_back(strip(opening.jambs[0], opening.jambs[1], opening.normal, ahead_m - 2.0 * half_m,
-                        ahead_m));
+    all.push_back(
+        strip(opening.jambs[0], opening.jambs[1], opening.normal, ahead_m - 2.0 * half_m, ahead_m));
   }
   const std::vector<Polygon> bridges = bridges_between(walls, all, config);
   all.insert(all.end(), bridges.begin(), bridges.end());

@@ -25,8 +25,8 @@ struct PlanRoom {
 /// Returns the rooms, in the order of `rooms`.
 ///
 /// A room reaches from wall to wall, also below furniture, if walls and openings enclose it:
-/// openings are shut, and walls are lengthened by up to FloorPlanConfig::bridged_m. Otherwise it is as
-/// large as its free floor.
+/// openings are shut, and walls are lengthened by up to FloorPlanConfig::bridged_m. Otherwise it is
+/// as large as its free floor.
 std::vector<PlanRoom> plan_rooms(const Rooms& rooms, const std::vector<PlanWall>& walls,
                                  const std::vector<PlanOpening>& openings,
                                  const FloorPlanConfig& config);

@@ -20,7 +20,7 @@ struct PlanWall {
   /// Ends of its first face, in map [m].
   std::array<Eigen::Vector2d, 2> face = {Eigen::Vector2d::Zero(), Eigen::Vector2d::Zero()};
   Eigen::Vector2d normal = Eigen::Vector2d::UnitX();  ///< of the first face, out of the wall
-  std::optional<double> thickness_m;                   ///< nothing if only one face was seen
+  std::optional<double> thickness_m;                  ///< nothing if only one face was seen
   /// What it stands on, in map [m]; nothing if only one face was seen. Walls do not overlap.
   Polygons footprint;
 };

@@ -15,6 +15,7 @@ namespace {
 constexpr double kCut_m = 1.0;          // above the floor
 constexpr double kLeastLevel = 0.5;     // of a normal's level part: walls lean by up to 30 degrees
 constexpr double kTongue_m = 0.2;       // height of stray cells at the end of a wall
+constexpr double kSolidShare = 0.5;     // of the band, in one piece: a jamb, not stray cells at it
 constexpr double kOpenFrom_m = 0.55;    // least width of a gap, as LabelConfig::least_door_width_m
 constexpr double kStripBegin_m = 0.02;  // of the floor behind a face; a floor that ends at a wall
 constexpr double kStripEnd_m = 0.1;     // reaches into it by half a cell
@@ -36,12 +37,12 @@ Polygons stretched(Polygons polygons, double factor) {
 
 /// Returns an elevation without what is low: stray cells beside a wall. Stretched along the wall,
 /// it loses and regains a margin above and below, but none at its ends.
-Polygons without_tongues(const Polygons& elevation) {
+Polygons without_tongues(const Polygons& elevation, double height_m) {
   constexpr double kStretch = 1000.0;
   if (elevation.empty()) return elevation;
-  const Polygons core = grown(stretched(elevation, kStretch), -0.5 * kTongue_m);
+  const Polygons core = grown(stretched(elevation, kStretch), -0.5 * height_m);
   if (core.empty()) return core;
-  return stretched(grown(core, 0.5 * kTongue_m), 1.0 / kStretch);
+  return stretched(grown(core, 0.5 * height_m), 1.0 / kStretch);
 }
 
 /// Returns the outlines of a wall as polygons of position along the face and height.
@@ -74,14 +75,12 @@ Polygons rectangle(const Interval& x, const Interval& y) {
   return {{{{x.begin, y.begin}, {x.end, y.begin}, {x.end, y.end}, {x.begin, y.end}}, {}}};
 }
 
-/// Returns the pieces of a face that hang above the band.
-Intervals hanging_of(const Polygons& elevation, const Intervals& seen, double floor_m,
-                     const FloorPlanConfig& config) {
+/// Returns what was seen of a face in the band.
+Polygons in_band(const Polygons& elevation, const Intervals& seen, double floor_m,
+                 const FloorPlanConfig& config) {
   if (seen.empty()) return {};
   const Interval band{floor_m + config.band_begin_m, floor_m + config.band_end_m};
-  const Polygons in_band =
-      intersection(elevation, rectangle({seen.front().begin, seen.back().end}, band));
-  return difference(seen, shadow_of(in_band));
+  return intersection(elevation, rectangle({seen.front().begin, seen.back().end}, band));
 }
 
 /// Returns the share of the strip behind a piece of a face that is floor.
@@ -103,9 +102,13 @@ std::optional<WallFace> face_of(const Plane& plane, double floor_m, const Polygo
   face.plane = plane.id;
   face.normal = plane.normal.head<2>() / level;
   face.distance_m = -(plane.d_m + plane.normal.z() * (floor_m + kCut_m)) / level;
-  const Polygons elevation = without_tongues(elevation_of(plane, face));
+  face.cell_m = plane.cell_size_m;
+  const Polygons elevation = without_tongues(elevation_of(plane, face), kTongue_m);
   face.seen = shadow_of(elevation);
-  for (const Interval& piece : hanging_of(elevation, face.seen, floor_m, config)) {
+  const Polygons band = in_band(elevation, face.seen, floor_m, config);
+  face.solid =
+      shadow_of(without_tongues(band, kSolidShare * (config.band_end_m - config.band_begin_m)));
+  for (const Interval& piece : difference(face.seen, shadow_of(band))) {
     if (piece.length() < kOpenFrom_m) continue;
     if (floor_behind(face, piece, floor) >= config.through_share) face.open.push_back(piece);
   }

@@ -16,11 +16,13 @@ namespace ribbon_mapper {
 
 /// One side of a wall, seen from above at one height: a line, and where on it the wall was seen.
 struct WallFace {
-  std::int64_t plane = 0;                              ///< id of the plane
+  std::int64_t plane = 0;                             ///< id of the plane
   Eigen::Vector2d normal = Eigen::Vector2d::UnitX();  ///< towards the side it was seen from
-  double distance_m = 0.0;                             ///< normal . p of all its points
-  Intervals seen;                                      ///< where it stands, along `along()`
-  Intervals open;                                      ///< where one can walk through
+  double distance_m = 0.0;                            ///< normal . p of all its points
+  Intervals seen;                                     ///< where it stands, along `along()`
+  Intervals open;                                     ///< where one can walk through
+  Intervals solid;                                    ///< where most of the band was seen
+  double cell_m = 0.0;                                ///< side of the plane's cells
 
   /// Returns the direction of the line.
   Eigen::Vector2d along() const { return {-normal.y(), normal.x()}; }

@@ -17,8 +17,9 @@ enum class Figure {
 };
 
 /// Draws <name>.svg and <name>.png, or the DXF, from the files in `directory`, with matplotlib or
-/// ezdxf in a separate process. Returns false after a warning on stderr if that fails. The warning has a command that
-/// draws them from the files in `later`, where they will be moved to; empty: `directory`.
+/// ezdxf in a separate process. Returns false after a warning on stderr if that fails. The warning
+/// has a command that draws them from the files in `later`, where they will be moved to; empty:
+/// `directory`.
 bool draw_figure(Figure figure, const std::filesystem::path& directory,
                  const std::filesystem::path& later = {});
 

@@ -116,15 +116,16 @@ def cross(a, b, c, d):
     return side(a, b, c) * side(a, b, d) < 0 and side(c, d, a) * side(c, d, b) < 0
 
 
-def middle_and_direction(geometry):
+def middle_and_direction(geometry, thickness):
     """Returns a point inside a wall's footprint and the direction of its longest edge."""
     polygon = geometry["coordinates"]
     ring = polygon[0] if geometry["type"] == "Polygon" else polygon[0][0]
     a, b = max(zip(ring, ring[1:]), key=lambda edge: math.dist(*edge))
     length = math.dist(a, b)
-    corners = ring[:-1]
-    middle = [sum(p[axis] for p in corners) / len(corners) for axis in (0, 1)]
-    return middle, ((b[0] - a[0]) / length, (b[1] - a[1]) / length)
+    x, y = (b[0] - a[0]) / length, (b[1] - a[1]) / length
+    # An outer ring runs counter-clockwise: its inside is on the left.
+    middle = (0.5 * (a[0] + b[0] - thickness * y), 0.5 * (a[1] + b[1] + thickness * x))
+    return middle, (x, y)
 
 
 def thickness_errors(plan, walls):
@@ -134,7 +135,7 @@ def thickness_errors(plan, walls):
     for properties, geometry in plan.kind("wall"):
         if properties["faces"] != 2:
             continue
-        middle, direction = middle_and_direction(geometry)
+        middle, direction = middle_and_direction(geometry, properties["thickness_m"])
         sizes = [b.thickness_across(direction) for b in cut if b.outside_m(middle) < 0.05]
         errors.append((properties["thickness_m"] - min(sizes) if sizes else None, properties))
     return errors
@@ -155,6 +156,17 @@ def shut_doorways(plan, walls):
     return shut, len(lintels)
 
 
+def width_errors(plan, walls):
+    """Returns by how much the doors below the lintels of the world are too wide [m]."""
+    errors = []
+    for lintel in (box for box in walls if box.bottom > LINTEL_M):
+        for properties, geometry in plan.kind("door", "opening"):
+            a, b = geometry["coordinates"]
+            if lintel.outside_m((0.5 * (a[0] + b[0]), 0.5 * (a[1] + b[1]))) < 0.05:
+                errors.append(properties["width_m"] - max(lintel.length, lintel.width))
+    return errors
+
+
 def main():
     plan, walls = Plan(sys.argv[1]), boxes(sys.argv[2])
     errors = thickness_errors(plan, walls)
@@ -168,6 +180,7 @@ def main():
     shut, count = shut_doorways(plan, walls)
     print(f"{count - len(shut)} of {count} doorways below a lintel are open; "
           f"{len(plan.kind('door'))} doors, {len(plan.kind('opening'))} openings")
+    print("errors of their widths [mm]:", *(f"{1000 * e:.0f}" for e in width_errors(plan, walls)))
     for lintel in shut:
         print(f"  shut: {lintel.x:.2f} {lintel.y:.2f}")
 

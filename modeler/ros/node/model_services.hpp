@@ -23,8 +23,8 @@ GetModel::Response model_response(const GetModel::Request& request, ModelKeeper&
                                   const std::string& map_frame);
 
 /// Writes the model and its final planes as files below `directory`, with a page to look at them,
-/// and a floor plan, and returns the answer to ~save. `parameters` are for the page. Errors are part
-/// of the answer.
+/// and a floor plan, and returns the answer to ~save. `parameters` are for the page. Errors are
+/// part of the answer.
 Save::Response save_response(const std::string& name, ModelKeeper& keeper,
                              const std::filesystem::path& directory, const std::string& frame,
                              const std::vector<ChangedKey>& parameters,

@@ -55,8 +55,7 @@ std::vector<std::string> StrictParameters::words(const std::string& key) {
   const std::string name = full_name(key);
   XmlRpcValue value;
   if (!ros::param::get(name, value)) return {};
-  if (value.getType() == XmlRpcValue::TypeString)
-    return words_of(static_cast<std::string>(value));
+  if (value.getType() == XmlRpcValue::TypeString) return words_of(static_cast<std::string>(value));
   std::vector<std::string> words;
   if (value.getType() != XmlRpcValue::TypeArray) refuse(name, "must be a text or a list of texts");
   for (int i = 0; i < value.size(); ++i) {

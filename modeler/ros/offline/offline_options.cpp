@@ -14,7 +14,8 @@ constexpr const char* kDescription =
     "Models the scan lines of a bag as fast as possible, with the code of the node but without a\n"
     "ROS master. The same bag gives the same planes, byte for byte.\n"
     "Writes planes_before.json (recorded poses, as built on the way), planes_after.{json,ply,bt}\n"
-    "and planes_after_cells.ply (the final model), planes_after.glb (its mesh for other programs),\n"
+    "and planes_after_cells.ply (the final model), planes_after.glb (its mesh for other "
+    "programs),\n"
     "floor_plan.geojson (walls, doors and rooms from above), report.html (a page to look at it),\n"
     "model.ribbons (to be loaded again), trajectory.tum and summary.json, with --trajectory self\n"
     "trajectory_covariance.csv as well.";

@@ -49,9 +49,9 @@ struct OfflineExtras {
   std::vector<MeshFormat> mesh_formats;  ///< writes planes_after.glb, for example
 };
 
-/// Writes the files of the model, floor_plan.geojson, report.html and the summary, and what is asked
-/// for beside them. They are one set, see FileSet, and state the same run. Throws std::runtime_error with the
-/// file, the reason and a remedy.
+/// Writes the files of the model, floor_plan.geojson, report.html and the summary, and what is
+/// asked for beside them. They are one set, see FileSet, and state the same run. Throws
+/// std::runtime_error with the file, the reason and a remedy.
 void write_model(const OfflineRun& run, const std::filesystem::path& directory,
                  const OfflineExtras& extras = {});
 

