@@ -79,6 +79,13 @@ def draw_walls(axes, plan):
                                  joinstyle="miter", zorder=3))
 
 
+def draw_hidden(axes, plan):
+    """Draws dashed where walls seem to go on behind furniture."""
+    for _, geometry in plan.of_kind("hidden"):
+        axes.add_patch(PathPatch(path_of(geometry), facecolor="white", edgecolor="#888888",
+                                 linewidth=0.5, linestyle=(0, (3, 2)), zorder=2.5))
+
+
 def draw_openings(axes, plan):
     """Draws the sill of each opening on both faces of its wall: dashed where it has no lintel."""
     for properties, geometry in plan.of_kind("door", "opening"):
@@ -194,6 +201,7 @@ def draw(plan):
     axes.set(xlim=limits[0], ylim=limits[1], aspect="equal")
     draw_rooms(axes, plan)
     draw_walls(axes, plan)
+    draw_hidden(axes, plan)
     draw_openings(axes, plan)
     draw_leaves(axes, plan)
     label_rooms(axes, plan, inch_per_m)

@@ -5,7 +5,7 @@
 Usage: python3 floor_plan_dxf.py DIRECTORY, or python3 floor_plan_dxf.py NAME_floor_plan.geojson
 
 Layers: WALLS (walls with two faces as closed outlines, hatched; faces without a back as lines),
-DOORS (sills, leaves and their swing), ROOMS (outlines, names and areas).
+WALLS_HIDDEN (where walls seem to go on behind furniture), DOORS (sills, leaves and their swing), ROOMS (outlines, names and areas).
 """
 
 import math
@@ -19,9 +19,14 @@ try:
 except ImportError:
     sys.exit("floor_plan_dxf.py: ezdxf is missing: sudo apt install python3-ezdxf")
 
+# Same input, same bytes: neither times nor random identifiers. Versions before 0.17 have no such
+# option.
+if hasattr(ezdxf, "options") and hasattr(ezdxf.options, "write_fixed_meta_data_for_testing"):
+    ezdxf.options.write_fixed_meta_data_for_testing = True
+
 VERSION = "R2000"  # the oldest that has LWPOLYLINE and HATCH; every CAD reads it
-METRES = 6  # $INSUNITS
-LAYERS = {"WALLS": 7, "DOORS": 5, "ROOMS": 8}  # and their colours
+METRES = 6  # of $INSUNITS
+LAYERS = {"WALLS": 7, "WALLS_HIDDEN": 9, "DOORS": 5, "ROOMS": 8}  # and their colours
 TEXT_M = 0.2
 
 
@@ -29,9 +34,6 @@ def new_drawing():
     drawing = ezdxf.new(VERSION)
     drawing.header["$INSUNITS"] = METRES
     drawing.header["$MEASUREMENT"] = 1  # metric
-    # Same input, same bytes: neither times nor random identifiers.
-    for key in ("$TDCREATE", "$TDUCREATE", "$TDUPDATE", "$TDUUPDATE"):
-        drawing.header[key] = 0.0
     for name, colour in LAYERS.items():
         drawing.layers.new(name, dxfattribs={"color": colour})
     return drawing
@@ -50,6 +52,8 @@ def add_walls(space, plan):
         for polygon in polygons(geometry):
             for ring in polygon:
                 hatch.paths.add_polyline_path(ring[:-1], is_closed=True)
+    for _, geometry in plan.of_kind("hidden"):
+        add_outline(space, geometry, "WALLS_HIDDEN")
     for properties, geometry in plan.of_kind("wall"):
         if properties["faces"] == 1:
             space.add_line(*geometry["coordinates"], dxfattribs={"layer": "WALLS"})

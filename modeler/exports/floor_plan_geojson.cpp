@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "modeler/exports/floor_plan_geojson.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <nlohmann/json.hpp>
 
@@ -109,6 +110,9 @@ std::vector<Json> features_of(const FloorPlan& plan) {
     features.push_back(
         feature({{"kind", "solid"}, {"area_m2", rounded(area(plan.solid))}}, to_json(plan.solid)));
   }
+  if (!plan.hidden.empty()) {
+    features.push_back(feature({{"kind", "hidden"}}, to_json(plan.hidden)));
+  }
   for (std::size_t i = 0; i < plan.openings.size(); ++i) {
     features.push_back(opening_feature(plan.openings[i], i + 1));
     for (const PlanLeaf& leaf : plan.openings[i].leaves) {
@@ -118,12 +122,19 @@ std::vector<Json> features_of(const FloorPlan& plan) {
   return features;
 }
 
+/// Returns a local coordinate system in metres as WKT (ISO 19162).
+std::string engineering_crs(std::string frame) {
+  std::replace(frame.begin(), frame.end(), '"', '_');
+  return "ENGCRS[\"" + frame + "\",EDATUM[\"" + frame + "\"],CS[Cartesian,2]," +
+         R"(AXIS["x",east],AXIS["y",north],LENGTHUNIT["metre",1]])";
+}
+
 }  // namespace
 
 std::string floor_plan_to_geojson(const FloorPlan& plan, const ModelLabel& label) {
   Json head{{"type", "FeatureCollection"},
             {"name", "floor_plan"},
-            {"crs", nullptr},
+            {"crs", {{"type", "name"}, {"properties", {{"name", engineering_crs(label.frame)}}}}},
             {"coordinate_system", "x and y in metres in the frame " + label.frame +
                                       ", not longitude and latitude (RFC 7946, section 4)"},
             {"frame", label.frame},

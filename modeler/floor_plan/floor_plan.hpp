@@ -18,6 +18,7 @@ namespace ribbon_mapper {
 struct FloorPlan {
   std::vector<PlanWall> walls;        ///< those with two faces first
   Polygons solid;                     ///< footprints of all walls with two faces, united
+  Polygons hidden;                    ///< where walls seem to go on behind furniture
   std::vector<PlanOpening> openings;  ///< doors and other openings
   std::vector<PlanRoom> rooms;        ///< in the order of the rooms that were given
 };

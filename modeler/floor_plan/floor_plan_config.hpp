@@ -33,8 +33,12 @@ struct FloorPlanConfig {
   double unseen_depth_m = 0.08;
 
   /// Largest gap in a wall that ends no room [m]: less than the narrowest door has, see
-  /// LabelConfig::least_door_width_m. A cupboard or a plant hides the wall there.
+  /// LabelConfig::least_door_width_m. Something hides the wall there.
   double bridged_m = 0.5;
+
+  /// Largest gap in a wall that furniture hides, if no floor was seen in it [m]: the width of a
+  /// wardrobe with four doors, as LabelConfig::greatest_door_width_m.
+  double hidden_m = 2.3;
 
   /// Heights above the floor between which a wall must be open to be walked through [m]: above
   /// skirting boards and thresholds, below lintels.

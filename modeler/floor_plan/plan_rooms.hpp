@@ -7,7 +7,7 @@
 
 #include "modeler/floor_plan/floor_plan_config.hpp"
 #include "modeler/floor_plan/plan_openings.hpp"
-#include "modeler/floor_plan/plan_walls.hpp"
+#include "modeler/polygon/polygon.hpp"
 #include "modeler/semantics/rooms.hpp"
 
 namespace ribbon_mapper {
@@ -24,11 +24,9 @@ struct PlanRoom {
 
 /// Returns the rooms, in the order of `rooms`.
 ///
-/// A room reaches from wall to wall, also below furniture, if walls and openings enclose it:
-/// openings are shut, and walls are lengthened by up to FloorPlanConfig::bridged_m. Otherwise it is
-/// as large as its free floor.
-std::vector<PlanRoom> plan_rooms(const Rooms& rooms, const std::vector<PlanWall>& walls,
-                                 const std::vector<PlanOpening>& openings,
+/// A room reaches from wall to wall, also below furniture, if barriers enclose it: walls, those
+/// that are hidden, and openings as if they were shut. Otherwise it is as large as its free floor.
+std::vector<PlanRoom> plan_rooms(const Rooms& rooms, const Polygons& barriers,
                                  const FloorPlanConfig& config);
 
 /// Enters in each opening which rooms are beside it.

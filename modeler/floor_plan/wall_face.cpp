@@ -152,9 +152,8 @@ double floor_height_m(const std::vector<Plane>& planes, const Semantics& semanti
 }
 
 std::vector<WallFace> wall_faces(const std::vector<Plane>& planes, const Semantics& semantics,
-                                 const FloorPlanConfig& config) {
+                                 const Polygons& floor, const FloorPlanConfig& config) {
   const double floor_m = floor_height_m(planes, semantics);
-  const Polygons floor = floor_of(planes, semantics);
   std::vector<WallFace> faces;
   for (std::size_t i = 0; i < planes.size(); ++i) {
     if (semantics.labels[i].label != Label::wall) continue;

@@ -41,12 +41,12 @@ Polygons floor_of(const std::vector<Plane>& planes, const Semantics& semantics);
 /// a model without both [m].
 double floor_height_m(const std::vector<Plane>& planes, const Semantics& semantics);
 
-/// Returns the faces of all upright walls, cut 1 m above the floor: the height at which plans are
-/// cut (ISO 128).
+/// Returns the faces of all upright walls above `floor`, which is that of floor_of(), cut 1 m above
+/// the floor: the height at which plans are cut (ISO 128).
 ///
 /// A face stands where its outlines are, at any height. Where it hangs above the band of the
 /// configuration and the floor goes on below it, it is open.
 std::vector<WallFace> wall_faces(const std::vector<Plane>& planes, const Semantics& semantics,
-                                 const FloorPlanConfig& config);
+                                 const Polygons& floor, const FloorPlanConfig& config);
 
 }  // namespace ribbon_mapper

@@ -193,6 +193,23 @@ TEST(FloorPlan, RoomsReachFromWallToWall) {
   EXPECT_EQ(0.0, distance(plan.rooms[0].outline, plan.rooms[0].middle));
 }
 
+TEST(FloorPlan, WallsGoOnBehindFurniture) {
+  for (const bool is_passage : {false, true}) {
+    std::vector<Plane> planes = room_with_both_faces();
+    planes.erase(planes.begin() + 5, planes.end());  // seen from inside
+    planes[1] = without(planes[1], {Vector3d(1, 3, -1), Vector3d(2.5, 5, 3)});
+    if (is_passage) planes.push_back(level(1, 4, 0, 1.5, 1, 1));
+    if (!is_passage) planes[0] = without(planes[0], {Vector3d(1, 3.4, -1), Vector3d(2.5, 5, 1)});
+    const FloorPlan plan = plan_of(planes);
+    ASSERT_FALSE(plan.rooms.empty());
+    EXPECT_EQ(!is_passage, plan.rooms[0].is_enclosed);
+    EXPECT_EQ(is_passage, plan.hidden.empty());
+    if (!is_passage) {
+      EXPECT_NEAR(20.0, plan.rooms[0].area_m2, 0.05);
+    }
+  }
+}
+
 TEST(FloorPlan, RoomsWithoutAWallAreAsLargeAsTheirFloor) {
   std::vector<Plane> planes = room_with_both_faces();
   planes.erase(planes.begin() + 1);  // a wall of which the outer face was seen
