@@ -24,6 +24,8 @@ MARGIN_M = 0.8
 UNSEEN_M = 0.1  # depth to which a wall is shaded whose other face was not seen
 ROOM_COLOURS = ["#eef3e6", "#e8eef6", "#f7efe2", "#f3e9f1", "#e6f2f1", "#f5f2df"]
 WALL, SHADE, DOOR, TEXT = "#222222", "#d5d5d5", "#30568a", "#333333"
+HIDDEN = {"facecolor": "white", "edgecolor": "#888888", "linewidth": 0.5,
+          "linestyle": (0, (3, 2))}
 SCALES_M = [0.5, 1, 2, 5, 10, 20, 50, 100]
 
 
@@ -60,18 +62,19 @@ def label_rooms(axes, plan, inch_per_m):
 
 def draw_walls(axes, plan):
     """Fills walls of known thickness; shades behind the face where the other one was not seen."""
-    faces = []
-    for properties, geometry in plan.of_kind("wall"):
-        if properties["faces"] == 2:
-            continue
-        a, b = geometry["coordinates"]
+    faces = [geometry["coordinates"] for properties, geometry in plan.of_kind("wall")
+             if properties["faces"] == 1]
+    ends = [tuple(end) for face in faces for end in face]
+    for a, b in faces:
         along, hidden = unit(a, b)
+        # At a corner, the shade goes on below the rooms, so that no notch is left.
+        before, after = (float(ends.count(tuple(end)) > 1) for end in (a, b))
         band = [(p[0] + UNSEEN_M * (end * along[0] + depth * hidden[0]),
                  p[1] + UNSEEN_M * (end * along[1] + depth * hidden[1]))
-                for p, end, depth in ((a, -1, 0), (b, 1, 0), (b, 1, 1), (a, -1, 1), (a, -1, 0))]
+                for p, end, depth in ((a, -before, 0), (b, after, 0), (b, after, 1),
+                                      (a, -before, 1), (a, -before, 0))]
         axes.add_patch(PathPatch(Path(band, closed=True), facecolor=SHADE, edgecolor="none",
-                                 zorder=0.5))  # below the rooms, as it is longer than the wall
-        faces.append((a, b))
+                                 zorder=0.5))
     axes.add_collection(LineCollection(faces, colors=WALL, linewidths=1.1, zorder=4,
                                        capstyle="projecting"))
     for _, geometry in plan.of_kind("solid"):
@@ -82,8 +85,7 @@ def draw_walls(axes, plan):
 def draw_hidden(axes, plan):
     """Draws dashed where walls seem to go on behind furniture."""
     for _, geometry in plan.of_kind("hidden"):
-        axes.add_patch(PathPatch(path_of(geometry), facecolor="white", edgecolor="#888888",
-                                 linewidth=0.5, linestyle=(0, (3, 2)), zorder=2.5))
+        axes.add_patch(PathPatch(path_of(geometry), zorder=2.5, **HIDDEN))
 
 
 def draw_openings(axes, plan):
@@ -147,17 +149,20 @@ def axes_cross(axes, plan, limits):
 
 
 def legend(axes, plan, limits):
-    """Says what black and grey walls are, below the plan in its middle, if there are both."""
+    """Says what black, grey and dashed walls are, below the plan in its middle."""
     (left, right), (low, _) = limits
     faces = {properties["faces"] for properties, _ in plan.of_kind("wall")}
-    if faces != {1, 2} or right - left < 8.0 * MARGIN_M:
+    if not faces or right - left < 8.0 * MARGIN_M:
         return
-    x, y = 0.5 * (left + right), low + 0.25 * MARGIN_M
-    for dy, colour, text in ((0.3, WALL, "both faces seen"), (0.0, SHADE, "one face seen")):
-        axes.add_patch(Rectangle((x, y + dy * MARGIN_M), 0.4 * MARGIN_M, 0.12 * MARGIN_M,
-                                 linewidth=0.5, edgecolor="none", facecolor=colour))
-        axes.text(x + 0.55 * MARGIN_M, y + (dy + 0.06) * MARGIN_M, text, va="center", fontsize=6,
-                  color=TEXT)
+    rows = [("hidden", HIDDEN)] * bool(plan.of_kind("hidden"))
+    rows += [("one face seen", {"facecolor": SHADE})] * (1 in faces)
+    rows += [("both faces seen", {"facecolor": WALL})] * (2 in faces)
+    x, y = 0.5 * (left + right), low + 0.2 * MARGIN_M
+    for i, (text, style) in enumerate(rows):
+        axes.add_patch(Rectangle((x, y + 0.28 * i * MARGIN_M), 0.4 * MARGIN_M, 0.12 * MARGIN_M,
+                                 **{"linewidth": 0.0, **style}))
+        axes.text(x + 0.55 * MARGIN_M, y + (0.28 * i + 0.06) * MARGIN_M, text, va="center",
+                  fontsize=6, color=TEXT)
 
 
 def limits_of(plan):
@@ -182,10 +187,12 @@ def title_of(plan):
     walls, doors = plan.of_kind("wall"), plan.of_kind("door")
     if not walls and not rooms:
         return "No walls and no floor were seen"
-    area = sum(properties["area_m2"] for properties, _ in rooms)
     counts = [(len(rooms), "room"), (len(doors), "door"), (len(plan.of_kind("opening")), "opening")]
-    parts = [f"{n} {word}{'' if n == 1 else 's'}" for n, word in counts if n or word == "room"]
-    return ", ".join(parts) + f"; {area:.1f} m² in all"
+    if not rooms:
+        counts.append((len(walls), "wall"))
+    text = ", ".join(f"{n} {word}{'' if n == 1 else 's'}" for n, word in counts if n)
+    area = sum(properties["area_m2"] for properties, _ in rooms)
+    return text + (f"; {area:.1f} m² in all" if rooms else "")
 
 
 def draw(plan):

@@ -89,7 +89,7 @@ std::vector<Candidate> candidates_among(const std::vector<WallFace>& faces,
 class Pairing {
  public:
   Pairing(const std::vector<WallFace>& faces, const FloorPlanConfig& config)
-      : faces_(faces), config_(config) {
+      : faces_(faces), config_(config), pairs_of_face_(faces.size()) {
     for (const WallFace& face : faces) result_.unpaired.push_back(face.seen);
     for (const Candidate& candidate : candidates_among(faces, config)) pair(candidate);
     for (std::size_t i = 0; i < faces.size(); ++i) go_on(i);
@@ -110,6 +110,9 @@ class Pairing {
       }
     }
     for (const Interval& piece : pieces) {
+      for (const std::size_t face : {c.front, c.back}) {
+        pairs_of_face_[face].push_back(result_.pairs.size());
+      }
       result_.pairs.push_back({c.front, c.back, piece});
       remove(c.front, piece);
       remove(c.back, on_face(back, front, piece));
@@ -126,8 +129,8 @@ class Pairing {
     for (const Interval& piece : unpaired) {
       FacePair* before = nullptr;
       FacePair* after = nullptr;
-      for (FacePair& pair : result_.pairs) {
-        if (pair.front != face && pair.back != face) continue;
+      for (const std::size_t index : pairs_of_face_[face]) {
+        FacePair& pair = result_.pairs[index];
         const Interval own = piece_on(face, pair);
         if (std::abs(own.end - piece.begin) <= config_.joint_m) before = &pair;
         if (std::abs(own.begin - piece.end) <= config_.joint_m) after = &pair;
@@ -175,6 +178,7 @@ class Pairing {
 
   const std::vector<WallFace>& faces_;
   const FloorPlanConfig& config_;
+  std::vector<std::vector<std::size_t>> pairs_of_face_;
   FacePairs result_;
 };
 

@@ -15,12 +15,17 @@ namespace {
 constexpr double kSameShare = 0.5;  // of a room's free floor that its walls must enclose
 constexpr double kAside_m = 0.3;    // from the face of a wall to the room before it
 
+Eigen::AlignedBox2d box_of(const Polygons& polygons) {
+  Eigen::AlignedBox2d box;
+  for (const Polygon& polygon : polygons) {
+    for (const Eigen::Vector2d& point : polygon.outer) box.extend(point);
+  }
+  return box;
+}
+
 /// Returns the parts of the plane between the barriers; the first one is all that is around.
 std::vector<Polygon> enclosures(const Polygons& barriers, const FloorPlanConfig& config) {
-  Eigen::AlignedBox2d box;
-  for (const Polygon& barrier : barriers) {
-    for (const Eigen::Vector2d& point : barrier.outer) box.extend(point);
-  }
+  const Eigen::AlignedBox2d box = box_of(barriers);
   if (box.isEmpty()) return {};
   const Eigen::Vector2d margin = Eigen::Vector2d::Constant(1.0);
   const Eigen::Vector2d low = box.min() - margin, high = box.max() + margin;
@@ -42,9 +47,10 @@ std::vector<Polygon> enclosures(const Polygons& barriers, const FloorPlanConfig&
 /// Returns the index of the part that holds most of a room's free floor.
 std::optional<std::size_t> enclosure_of(const Room& room, const std::vector<Polygon>& parts) {
   std::optional<std::size_t> best;
+  const Eigen::AlignedBox2d box = box_of(room.outlines);
   double most_m2 = kSameShare * area(room.outlines);
   for (std::size_t i = 0; i < parts.size(); ++i) {
-    if (area(parts[i]) < most_m2) continue;
+    if (!box_of({parts[i]}).intersects(box)) continue;
     const double common_m2 = area(intersection({parts[i]}, room.outlines));
     if (common_m2 > most_m2) most_m2 = common_m2, best = i;
   }

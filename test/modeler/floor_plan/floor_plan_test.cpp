@@ -136,6 +136,21 @@ TEST(FloorPlan, JambsAreAtTheReveals) {
   EXPECT_EQ(2u, plan.walls.size()) << "reveals are no walls of their own";
 }
 
+TEST(FloorPlan, LeavesHangAtTheirJamb) {
+  std::vector<Plane> planes = wall_with_door();
+  for (const double back_m : {0.0, 0.05}) {  // both faces, the second one narrower
+    planes.push_back(rectangle({1.5 + back_m, -0.85 + back_m, 0.0}, {0, 0.85 - 2.0 * back_m, 0},
+                               {0, 0, 2.0}, back_m > 0.0 ? 9 : 8));
+  }
+  const FloorPlan plan = plan_of(planes);
+  ASSERT_EQ(1u, plan.openings.size());
+  ASSERT_EQ(1u, plan.openings[0].leaves.size());
+  const PlanLeaf& leaf = plan.openings[0].leaves[0];
+  EXPECT_EQ(8, leaf.plane);
+  EXPECT_NEAR(0.0, (leaf.hinge - Vector2d(1.5, 0.0)).norm(), 0.01);
+  EXPECT_NEAR(0.0, (leaf.tip - Vector2d(1.5, -0.85)).norm(), 0.01);
+}
+
 TEST(FloorPlan, FillsCorners) {
   for (const double angle_rad : {0.0, M_PI / 4.0, 0.3}) {
     const FloorPlan plan = plan_of(turned(room_with_both_faces(), angle_rad));
