@@ -1,12 +1,11 @@
 // SPDX-FileCopyrightText: 2026 ribbon_mapper authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "modeler/floor_plan/face_corners.hpp"
-
 #include <algorithm>
 #include <cmath>
 #include <limits>
 #include <optional>
 
+#include "modeler/floor_plan/wall_face.hpp"
 #include "modeler/semantics/top_view.hpp"
 
 namespace ribbon_mapper {

@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "modeler/floor_plan/floor_plan.hpp"
 
-#include "modeler/floor_plan/face_corners.hpp"
 #include "modeler/floor_plan/hidden_walls.hpp"
 #include "modeler/polygon/polygon_operations.hpp"
 

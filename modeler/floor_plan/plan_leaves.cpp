@@ -1,9 +1,10 @@
 // SPDX-FileCopyrightText: 2026 ribbon_mapper authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "modeler/floor_plan/plan_leaves.hpp"
-
 #include <algorithm>
+#include <array>
 #include <optional>
+
+#include "modeler/floor_plan/plan_openings.hpp"
 
 namespace ribbon_mapper {
 namespace {

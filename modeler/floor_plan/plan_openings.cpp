@@ -6,7 +6,6 @@
 #include <cmath>
 
 #include "modeler/floor_plan/face_pairs.hpp"
-#include "modeler/floor_plan/plan_leaves.hpp"
 #include "modeler/geometry/angles.hpp"
 
 namespace ribbon_mapper {

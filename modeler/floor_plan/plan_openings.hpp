@@ -48,4 +48,9 @@ struct PlanOpening {
 std::vector<PlanOpening> plan_openings(const std::vector<Plane>& planes, const Semantics& semantics,
                                        std::vector<WallFace>& faces, const FloorPlanConfig& config);
 
+/// Hangs each door leaf at the jamb that is nearest to one of its edges. Of the two faces of a
+/// leaf, the wider one is kept.
+void hang_leaves(const std::vector<Plane>& planes, const Semantics& semantics,
+                 const FloorPlanConfig& config, std::vector<PlanOpening>& openings);
+
 }  // namespace ribbon_mapper

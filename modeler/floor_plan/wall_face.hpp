@@ -49,4 +49,9 @@ double floor_height_m(const std::vector<Plane>& planes, const Semantics& semanti
 std::vector<WallFace> wall_faces(const std::vector<Plane>& planes, const Semantics& semantics,
                                  const Polygons& floor, const FloorPlanConfig& config);
 
+/// Moves the ends of faces that nearly meet in a corner into it. An end moves by up to
+/// FloorPlanConfig::joint_m, and by up to overshoot_m if it lies before the other face, where
+/// nothing is. Where there are several corners, it moves into the nearest one.
+void fit_corners(std::vector<WallFace>& faces, const FloorPlanConfig& config);
+
 }  // namespace ribbon_mapper
