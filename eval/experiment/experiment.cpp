@@ -83,6 +83,7 @@ void evaluate_planes(Results& results, const sim::World& world, const Truth& tru
   const Semantics semantics = semantics_of(planes, positions_of(results.trajectory_after));
   results.labels = plane_labels(planes, semantics, {});
   results.rooms = rooms_of(planes, semantics);
+  results.floor_plan = floor_plan_of(planes, semantics, *results.rooms);
   const std::vector<LabelledCell> cells = labelled_cells(world, truth.collector.cells());
   if (!cells.empty()) {
     results.summary.labels = label_confusion(planes, semantics.labels, cells);

@@ -46,8 +46,9 @@ void run_one(const ExperimentOptions& options) {
     ProgressBar bar;
     const Results results = make_run(options.runs.front(), [&](const Progress& p) { bar.show(p); });
     summary = results.summary;
-    FileSet files = staged_results(results, options.output);
+    FileSet files = staged_results(results, options.output, options.mesh_formats);
     if (options.with_figure) draw_figure(Figure::before_after, files.folder(), options.output);
+    if (options.with_floor_plan) draw_floor_plan(files.folder(), options.output);
     files.commit();
   }
   std::printf("%s\nresults in %s\n", summary_table(summary).c_str(), options.output.c_str());

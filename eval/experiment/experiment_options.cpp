@@ -134,6 +134,18 @@ void add_list_options(CLI::App& app, Lists& lists) {
       ->excludes(seed);
 }
 
+void add_export_options(CLI::App& app, ExperimentOptions& options) {
+  app.add_flag("--floor-plan", options.with_floor_plan,
+               "draw floor_plan.svg, .png and .dxf from floor_plan.geojson");
+  app.add_option_function<std::string>(
+         "--mesh-formats",
+         [&options](const std::string& list) { options.mesh_formats = mesh_formats_from(list); },
+         "files of the planes for other programs: glb, obj, stl, separated by commas, or none")
+      ->check(accepted_by(
+          [](const std::string& list) { return ribbon_mapper::mesh_formats_from(list); }))
+      ->default_str("glb");
+}
+
 void add_output_options(CLI::App& app, ExperimentOptions& options, bool& no_figure) {
   app.add_option("--output", options.output, "folder for the results")->capture_default_str();
   app.add_option("--jobs", options.jobs,
@@ -141,6 +153,7 @@ void add_output_options(CLI::App& app, ExperimentOptions& options, bool& no_figu
       ->check(CLI::Range(1, 256).description(""))
       ->capture_default_str();
   app.add_flag("--no-figure", no_figure, "draw no figure");
+  add_export_options(app, options);
   app.add_flag("--line", options.line_only,
                "print the lines of runs.jsonl and write no files, for runs on several machines");
   app.add_flag(

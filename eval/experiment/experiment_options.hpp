@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "eval/experiment/run_options.hpp"
+#include "modeler/mesh/mesh_file.hpp"
 
 namespace ribbon_mapper::eval {
 
@@ -19,8 +20,10 @@ struct ExperimentOptions {
   bool is_series = false;  ///< several runs or `--seeds`: writes runs.jsonl and a summary
   std::size_t jobs = 1;    ///< runs at a time
 
-  std::filesystem::path output = "results/experiment";  ///< folder for the results
-  bool with_figure = true;                              ///< draw a figure
+  std::filesystem::path output = "results/experiment";     ///< folder for the results
+  bool with_figure = true;                                 ///< draw a figure
+  bool with_floor_plan = false;                            ///< draw the floor plan
+  std::vector<MeshFormat> mesh_formats{MeshFormat::gltf};  ///< of the mesh of the planes
   bool line_only = false;  ///< print the lines of runs.jsonl, write no files
   bool calibrate = false;  ///< learn the tolerances instead
   std::string command;     ///< the command line as given

@@ -8,6 +8,7 @@
 
 #include "eval/metrics/outline_iou.hpp"
 #include "eval/results/report_page.hpp"
+#include "modeler/exports/exports.hpp"
 #include "modeler/geometry/angles.hpp"
 #include "modeler/io/colour.hpp"
 #include "modeler/io/planes_json.hpp"
@@ -75,7 +76,8 @@ void evaluate(Results& results) {
   results.summary.end_drift_deg = to_degrees(angle_of(T_truth_estimate));
 }
 
-FileSet staged_results(const Results& results, const std::filesystem::path& directory) {
+FileSet staged_results(const Results& results, const std::filesystem::path& directory,
+                       const std::vector<MeshFormat>& mesh_formats) {
   const std::vector<Plane> before = with_outlines(results.models.noisy_as_built);
   const std::vector<Plane> truth = with_outlines(planes_of(results.truth));
   ModelLabel label;
@@ -95,10 +97,12 @@ FileSet staged_results(const Results& results, const std::filesystem::path& dire
   }
   files.add("trajectory_truth.tum", to_tum(results.trajectory_truth, label.run));
   if (results.rooms) files.add("rooms.json", rooms_to_json(*results.rooms, label));
+  if (results.floor_plan) add_floor_plan(*results.floor_plan, label, "floor_plan", files);
   files.add("figure.json", figure_data(results, label.run));
   files.add("report.html", report_page(results, before, truth, label.run));
   add_model(results.models.corrected, label, "planes_after", SurfaceConfig{}.stripe_gap_m, files,
             results.labels);
+  add_meshes(results.models.corrected, label, results.labels, mesh_formats, "planes_after", files);
   return files;
 }
 

@@ -9,7 +9,9 @@
 
 #include "eval/metrics/patch.hpp"
 #include "eval/results/summary.hpp"
+#include "modeler/floor_plan/floor_plan.hpp"
 #include "modeler/geometry/pose.hpp"
+#include "modeler/mesh/mesh_file.hpp"
 #include "modeler/report/changed_keys.hpp"
 #include "modeler/semantics/plane_label.hpp"
 #include "modeler/semantics/rooms.hpp"
@@ -23,11 +25,12 @@ using FourModels = PerModel<std::vector<Plane>>;
 
 /// Everything that is kept of one run.
 struct Results {
-  Summary summary;                 ///< metrics and times
-  FourModels models;               ///< before and after the correction, as built and final
-  std::vector<PlaneLabel> labels;  ///< of the corrected, final planes; empty: none are written
-  std::optional<Rooms> rooms;      ///< of the same planes
-  std::vector<Patch> truth;        ///< the true planes
+  Summary summary;                      ///< metrics and times
+  FourModels models;                    ///< before and after the correction, as built and final
+  std::vector<PlaneLabel> labels;       ///< of the corrected, final planes; empty: none are written
+  std::optional<Rooms> rooms;           ///< of the same planes
+  std::optional<FloorPlan> floor_plan;  ///< of the same planes
+  std::vector<Patch> truth;             ///< the true planes
   /// Acquisition poses of the lines before the correction.
   std::vector<StampedPose> trajectory_before;
   /// Acquisition poses of the lines after the correction.
@@ -49,10 +52,13 @@ void evaluate(Results& results);
 /// needed, and returns the set to be committed. All files state the same run. They are
 /// summary.json, planes_before.json (noisy, as built), planes_noisy.json (noisy, final),
 /// planes_truth.json, planes_after.{json,ply,bt} with planes_after_cells.ply (corrected, final),
-/// rooms.json (if there are rooms), trajectory_{before,after,truth}.tum, trajectory_covariance.csv
-/// (if there are covariances) figure.json (for draw_figure()) and report.html (see report_page()).
-/// Throws std::runtime_error with the file, the reason and a remedy.
-FileSet staged_results(const Results& results, const std::filesystem::path& directory);
+/// planes_after.{glb,obj,stl} as the formats demand, rooms.json (if there are rooms),
+/// floor_plan.geojson (if there is a floor plan), trajectory_{before,after,truth}.tum,
+/// trajectory_covariance.csv (if there are covariances) figure.json (for draw_figure()) and
+/// report.html (see report_page()). Throws std::runtime_error with the file, the reason and a
+/// remedy.
+FileSet staged_results(const Results& results, const std::filesystem::path& directory,
+                       const std::vector<MeshFormat>& mesh_formats = {});
 
 /// Writes the results as staged_results() and commits them.
 void write_results(const Results& results, const std::filesystem::path& directory);

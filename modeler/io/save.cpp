@@ -43,6 +43,7 @@ std::vector<fs::path> save_model(const std::vector<Plane>& planes, const fs::pat
   if (!beside.model_file.empty()) files.add(name + ".ribbons", beside.model_file);
   if (beside.rooms) files.add(name + "_rooms.json", rooms_to_json(*beside.rooms, label));
   if (beside.page) files.add(name + ".html", beside.page(label.run));
+  if (beside.more) beside.more(label, files);
   return files.commit();
 }
 

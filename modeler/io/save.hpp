@@ -29,12 +29,16 @@ void add_model(const std::vector<Plane>& planes, ModelLabel label, const std::st
 /// A function that returns the bytes of a file of a run, given the run's id.
 using FileOfRun = std::function<std::string(const std::string& run)>;
 
+/// A function that adds files to the set of a model, given what they say beside its planes.
+using FilesOfModel = std::function<void(const ModelLabel& label, FileSet& files)>;
+
 /// What is saved beside the planes of a model.
 struct SavedBeside {
-  std::string model_file;           ///< bytes of a model file; empty: none
-  std::vector<PlaneLabel> labels;   ///< of the planes, in their order; empty: none
-  FileOfRun page;                   ///< makes a page to look at; empty: none
-  std::optional<Rooms> rooms = {};  ///< of the planes
+  std::string model_file;               ///< bytes of a model file; empty: none
+  std::vector<PlaneLabel> labels = {};  ///< of the planes, in their order; empty: none
+  FileOfRun page = {};                  ///< makes a page to look at; empty: none
+  std::optional<Rooms> rooms = {};      ///< of the planes
+  FilesOfModel more = {};               ///< adds other files to the set; empty: none
 };
 
 /// Writes the four files of a model, as add_model(), into `directory`, which is created if needed,

@@ -17,6 +17,13 @@ enum class MeshFormat {
   stl    ///< binary STL (.stl): z is up; without names and colours
 };
 
+/// Returns the formats of these names, each once: glb, obj or stl; none for the only name "none".
+/// Throws std::invalid_argument with the list of formats for any other name.
+std::vector<MeshFormat> mesh_formats_from(const std::vector<std::string>& names);
+
+/// Returns the formats of a list such as "glb,stl"; an empty one has none. Throws as above.
+std::vector<MeshFormat> mesh_formats_from(const std::string& list);
+
 /// The bytes of a file.
 struct MeshFile {
   std::string suffix;  ///< of its name, such as ".glb"

@@ -91,9 +91,13 @@ PlaneMesh mesh_of(const Plane& plane) {
   return mesh;
 }
 
-std::vector<PlaneMesh> meshes_of(const std::vector<Plane>& planes) {
+std::vector<PlaneMesh> meshes_of(const std::vector<Plane>& planes,
+                                 const std::vector<std::string>& labels) {
   std::vector<PlaneMesh> meshes;
-  for (const Plane& plane : planes) meshes.push_back(mesh_of(plane));
+  for (std::size_t i = 0; i < planes.size(); ++i) {
+    meshes.push_back(mesh_of(planes[i]));
+    if (i < labels.size()) meshes.back().name += " " + labels[i];
+  }
   return meshes;
 }
 

@@ -14,7 +14,7 @@ namespace ribbon_mapper {
 
 /// The outlines of a plane as triangles.
 struct PlaneMesh {
-  std::string name;                                   ///< "plane" and the id of the plane
+  std::string name;                                   ///< "plane", its id, and its label if known
   std::int64_t plane_id = 0;                          ///< id of the plane
   Eigen::Vector3d normal = Eigen::Vector3d::UnitZ();  ///< towards the observed side
   std::vector<Eigen::Vector3d> vertices;              ///< in map [m]
@@ -26,7 +26,8 @@ struct PlaneMesh {
 /// open, and the area is that of the outlines.
 PlaneMesh mesh_of(const Plane& plane);
 
-/// Returns a mesh for each plane.
-std::vector<PlaneMesh> meshes_of(const std::vector<Plane>& planes);
+/// Returns a mesh for each plane. `labels` are those of the planes, in their order, or none.
+std::vector<PlaneMesh> meshes_of(const std::vector<Plane>& planes,
+                                 const std::vector<std::string>& labels = {});
 
 }  // namespace ribbon_mapper

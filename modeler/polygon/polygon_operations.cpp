@@ -3,6 +3,7 @@
 #include "modeler/polygon/polygon_operations.hpp"
 
 #include <algorithm>
+#include <stdexcept>
 
 #include "modeler/polygon/geos.hpp"
 
@@ -15,6 +16,15 @@ Polygons overlay(const Polygons& a, const Polygons& b, const Operation& operatio
   const Geos geos;
   const Geos::Geometry first = geos.multipolygon_of(a), second = geos.multipolygon_of(b);
   return geos.polygons_in(geos.made(operation(geos.context(), first.get(), second.get())).get());
+}
+
+Eigen::Vector2d extent_of(const Ring& ring) {
+  Eigen::Vector2d low = ring.front(), high = ring.front();
+  for (const Eigen::Vector2d& point : ring) {
+    low = low.cwiseMin(point);
+    high = high.cwiseMax(point);
+  }
+  return high - low;
 }
 
 }  // namespace
@@ -73,6 +83,22 @@ Polygons grown(const Polygons& polygons, double distance) {
       geos.made(GEOSBufferWithStyle_r(geos.context(), all.get(), distance, kSegmentsOfACurve,
                                       GEOSBUF_CAP_FLAT, GEOSBUF_JOIN_MITRE, kLongestMitre))
           .get());
+}
+
+Eigen::Vector2d middle_of_largest_circle(const Polygons& polygons) {
+  if (polygons.empty()) throw std::invalid_argument("No polygons have no largest circle.");
+  const auto largest =
+      std::max_element(polygons.begin(), polygons.end(),
+                       [](const Polygon& a, const Polygon& b) { return area(a) < area(b); });
+  const Eigen::Vector2d extent = extent_of(largest->outer);
+  const Geos geos;
+  const Geos::Geometry all = geos.multipolygon_of({*largest});
+  const Geos::Geometry radius =
+      geos.made(GEOSMaximumInscribedCircle_r(geos.context(), all.get(), 0.01 * extent.maxCoeff()));
+  const GEOSCoordSequence* points = GEOSGeom_getCoordSeq_r(geos.context(), radius.get());
+  Eigen::Vector2d middle = largest->outer.front();
+  GEOSCoordSeq_getXY_r(geos.context(), points, 0, &middle.x(), &middle.y());
+  return middle;
 }
 
 }  // namespace ribbon_mapper

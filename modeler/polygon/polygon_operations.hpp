@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <Eigen/Core>
 #include <vector>
 
 #include "modeler/polygon/polygon.hpp"
@@ -38,5 +39,9 @@ Eigen::Vector2d inmost_point(const Polygons& polygons, double tolerance);
 /// Returns the area within `distance` of the polygons; for a negative distance, the area that is
 /// at least as far from everything outside. Corners stay corners.
 Polygons grown(const Polygons& polygons, double distance);
+
+/// Returns the middle of the largest circle in polygons, within a hundredth of their extent: a
+/// place for a label. Throws std::invalid_argument if there are none.
+Eigen::Vector2d middle_of_largest_circle(const Polygons& polygons);
 
 }  // namespace ribbon_mapper

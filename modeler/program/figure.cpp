@@ -41,8 +41,18 @@ const char* name_of(Figure figure) {
       return "model_views";
     case Figure::level_map:
       return "level_map";
+    case Figure::floor_plan:
+      return "floor_plan";
+    case Figure::floor_plan_dxf:
+      return "floor_plan_dxf";
   }
   return "";
+}
+
+/// Returns what files a figure has, for a message.
+std::string files_of(Figure figure) {
+  if (figure == Figure::floor_plan_dxf) return "floor_plan.dxf was";
+  return std::string(name_of(figure)) + ".svg and .png were";
 }
 
 }  // namespace
@@ -53,11 +63,15 @@ bool draw_figure(Figure figure, const std::filesystem::path& directory,
   const auto script = installed_directory() / "eval" / "figures" / (name + ".py");
   if (run(RIBBON_MAPPER_PYTHON, script.string(), directory.string()) == 0) return true;
   std::fprintf(stderr,
-               "warning: %s.svg and .png were not drawn, for the reason above. To draw them later, "
-               "run: %s %s %s\n",
-               name.c_str(), RIBBON_MAPPER_PYTHON, script.c_str(),
+               "warning: %s not drawn, for the reason above. To draw this later, run: %s %s %s\n",
+               files_of(figure).c_str(), RIBBON_MAPPER_PYTHON, script.c_str(),
                later.empty() ? directory.c_str() : later.c_str());
   return false;
+}
+
+bool draw_floor_plan(const std::filesystem::path& directory, const std::filesystem::path& later) {
+  const bool has_picture = draw_figure(Figure::floor_plan, directory, later);
+  return draw_figure(Figure::floor_plan_dxf, directory, later) && has_picture;
 }
 
 }  // namespace ribbon_mapper

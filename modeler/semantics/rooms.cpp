@@ -2,10 +2,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "modeler/semantics/rooms.hpp"
 
+#include <tsl/robin_map.h>
+
 #include <algorithm>
 #include <cmath>
 #include <optional>
-#include <unordered_map>
 #include <utility>
 
 #include "modeler/geometry/grid_keys.hpp"
@@ -48,7 +49,7 @@ class FloorMap {
       for (double depth_m = 0.0; depth_m <= config_.wall_m; depth_m += step_m) {
         const Eigen::Vector2d at = a + along_m / std::max(length_m, step_m) * (b - a);
         const auto found = squares_.find(key_of(square_at(at + depth_m * behind)));
-        if (found != squares_.end()) found->second.component = kWall;
+        if (found != squares_.end()) found.value().component = kWall;
       }
     }
   }
@@ -67,7 +68,9 @@ class FloorMap {
                      components.end());
     std::stable_sort(components.begin(), components.end(),
                      [](const auto& a, const auto& b) { return a.size() > b.size(); });
-    for (auto& [key, square] : squares_) square.component = kFree;
+    for (auto square = squares_.begin(); square != squares_.end(); ++square) {
+      square.value().component = kFree;
+    }
     for (std::size_t i = 0; i < components.size(); ++i) {
       for (const Square& s : components[i]) squares_.at(key_of(s)).component = static_cast<int>(i);
     }
@@ -115,7 +118,7 @@ class FloorMap {
         const Square next{at.x + dx, at.y + dy};
         const auto found = squares_.find(key_of(next));
         if (found == squares_.end() || found->second.component != kFree) continue;
-        found->second.component = 0;
+        found.value().component = 0;
         component.push_back(next);
       }
     }
@@ -123,7 +126,7 @@ class FloorMap {
   }
 
   RoomConfig config_;
-  std::unordered_map<std::uint64_t, Floor, KeyHash> squares_;
+  tsl::robin_map<std::uint64_t, Floor, KeyHash> squares_;
   std::vector<Square> order_;  // as they were added, so that nothing depends on hashes
 };
 

@@ -23,13 +23,15 @@ _CORE = {
     "assembly": ["geometry", "polygon", "ribbon", "observations", "association", "surface"],
     "maps": ["geometry", "ribbon", "observations", "surface"],
     "semantics": ["geometry", "polygon", "surface"],
+    "floor_plan": ["geometry", "polygon", "surface", "semantics"],
     "chain": ["geometry"],
     "registration": ["geometry", "ribbon", "trajectory", "observations", "association", "chain"],
 }
 _METHOD = [f"modeler/{name}" for name in _CORE]
 _MODELER = _METHOD + ["modeler"]
 _TOOLS = _MODELER + ["modeler/calibration", "modeler/storage", "modeler/io", "modeler/map_files",
-                     "modeler/mesh", "modeler/model_file", "modeler/report", "modeler/program"]
+                     "modeler/mesh", "modeler/exports", "modeler/model_file", "modeler/report",
+                     "modeler/program"]
 _ROS = ["modeler/ros/messages", "modeler/ros/intake", "modeler/ros/node"]
 _SIM = ["sim/shapes", "sim/sdf", "sim/world", "sim/rays", "sim/robot", "sim/tour", "sim/truth"]
 _POSE = ["modeler/geometry/time.hpp", "modeler/geometry/pose.hpp"]
@@ -44,6 +46,8 @@ ROOMS = {
                        ["Eigen", "nlohmann", "octomap", "yaml-cpp"]),
     "modeler/map_files": Room(_MODELER + ["modeler/storage", "modeler/io"], ["Eigen"]),
     "modeler/mesh": Room(_MODELER + ["modeler/storage", "modeler/io"], ["Eigen", "GL", "assimp"]),
+    "modeler/exports": Room(_MODELER + ["modeler/storage", "modeler/io", "modeler/mesh"],
+                            ["Eigen", "nlohmann"]),
     "modeler/model_file": Room(_MODELER + ["modeler/calibration", "modeler/storage", "modeler/io"],
                                ["Eigen"]),
     "modeler/report": Room(_MODELER, ["Eigen", "nlohmann"]),

@@ -58,7 +58,7 @@ TEST(Offline, TheSameBagGivesTheSameBytes) {
   write_model(run(kRoom, "pr2.yaml"), b.path());
   for (const char* name :
        {"planes_before.json", "planes_after.json", "planes_after.ply", "planes_after_cells.ply",
-        "planes_after.bt", "trajectory.tum", "report.html", "rooms.json"}) {
+        "planes_after.bt", "trajectory.tum", "report.html", "rooms.json", "floor_plan.geojson"}) {
     EXPECT_GT(content_of(a.path() / name).size(), 100u) << name;
     EXPECT_EQ(content_of(a.path() / name), content_of(b.path() / name)) << name;
   }
@@ -159,7 +159,7 @@ TEST(Offline, AllFilesOfARunNameIt) {
   EXPECT_EQ(id.size(), 16U);
   for (const char* name :
        {"planes_before.json", "planes_after.json", "planes_after.ply", "planes_after_cells.ply",
-        "planes_after.bt", "trajectory.tum", "report.html", "rooms.json"}) {
+        "planes_after.bt", "trajectory.tum", "report.html", "rooms.json", "floor_plan.geojson"}) {
     EXPECT_THAT(content_of(directory.path() / name), HasSubstr(id)) << name;
   }
   for (const char* name : {"planes_before.json", "planes_after.json"}) {

@@ -34,11 +34,13 @@ TEST(ExperimentOptions, WithoutAnyItIsTheApartment) {
 }
 
 TEST(ExperimentOptions, AllAreTaken) {
-  const auto options = std::get<ExperimentOptions>(parsed(
-      {"--world",  "w.sdf",  "--route",  "r.yaml", "--seed",       "4",  "--drift",      "0.5",
-       "--output", "out",    "--config", "c.yaml", "--model-path", "m1", "--model-path", "m2",
-       "--noise",  "gazebo", "--tilt",   "nav",    "--jobs",       "2",  "--no-figure",  "--line",
-       "--beams",  "720",    "--speed",  "0.6",    "--deskew",     "off"}));
+  const auto options = std::get<ExperimentOptions>(
+      parsed({"--world",        "w.sdf",   "--route",      "r.yaml", "--seed",      "4",
+              "--drift",        "0.5",     "--output",     "out",    "--config",    "c.yaml",
+              "--model-path",   "m1",      "--model-path", "m2",     "--noise",     "gazebo",
+              "--tilt",         "nav",     "--jobs",       "2",      "--no-figure", "--line",
+              "--beams",        "720",     "--speed",      "0.6",    "--deskew",    "off",
+              "--mesh-formats", "stl,obj", "--floor-plan"}));
   ASSERT_THAT(options.runs, SizeIs(1));
   const RunOptions& run = options.runs.front();
   EXPECT_EQ(route_path(run), "r.yaml");
@@ -46,6 +48,8 @@ TEST(ExperimentOptions, AllAreTaken) {
   EXPECT_THAT(run.model_paths, testing::IsSupersetOf({"m1", "m2"}));
   EXPECT_EQ(options.jobs, 2U);
   EXPECT_FALSE(options.with_figure);
+  EXPECT_TRUE(options.with_floor_plan);
+  EXPECT_EQ(options.mesh_formats, (std::vector<MeshFormat>{MeshFormat::stl, MeshFormat::obj}));
   EXPECT_TRUE(options.line_only);
   const std::string command = command_of(run);
   EXPECT_EQ(command.substr(0, command.find(" --model-path")),

@@ -112,6 +112,14 @@ TEST(MeshFile, OpensWithOneObjectPerPlane) {
   }
 }
 
+TEST(MeshFile, NamesObjectsByIdAndLabel) {
+  const auto meshes = meshes_of({wall(7, 0.0), wall(12, 2.0)}, {"wall", "door leaf"});
+  for (const MeshFormat format : {MeshFormat::gltf, MeshFormat::obj}) {
+    EXPECT_EQ(opened(mesh_files(meshes, format, "flat")).names,
+              (std::multiset<std::string>{"plane 12 door leaf", "plane 7 wall"}));
+  }
+}
+
 TEST(MeshFile, OfStlHasTheArea) {
   const std::vector<Plane> planes{wall(7, 0.0), wall(12, 2.0)};
   const auto files = mesh_files(meshes_of(planes), MeshFormat::stl, "flat");

@@ -69,5 +69,14 @@ TEST(Figure, WithoutTheFilesAWarningSaysWhatToDo) {
   EXPECT_EQ(directory.file_count(), 0U);
 }
 
+TEST(Figure, AFloorPlanThatCannotBeDrawnIsNamed) {
+  const TemporaryDirectory directory;
+  testing::internal::CaptureStderr();
+  EXPECT_FALSE(draw_floor_plan(directory.path()));
+  const std::string warning = testing::internal::GetCapturedStderr();
+  EXPECT_THAT(warning, HasSubstr("floor_plan.svg and .png were not drawn"));
+  EXPECT_THAT(warning, HasSubstr("floor_plan.dxf was not drawn"));
+}
+
 }  // namespace
 }  // namespace ribbon_mapper::eval

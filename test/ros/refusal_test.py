@@ -56,6 +56,9 @@ class Refusal(unittest.TestCase):
         self.refuse('modeler', [PR2, '_transform_timeout:=-1'], '/transform_timeout', '0.1 to 60')
         self.refuse('modeler', [PR2, '_transform_timeout:=soon'], 'must be a number')
         self.refuse('modeler', [PR2, '_map_frame:=7'], 'must be a text')
+        self.refuse('modeler', [PR2, '_mesh_formats:=glb,fbx'], '~mesh_formats', "'fbx'",
+                    'glb, obj and stl')
+        self.refuse('modeler', [PR2, '_mesh_formats:=7'], '/mesh_formats', 'must be a text')
         self.refuse('modeler', [PR2, '_output_dir:='], '/output_dir', 'is empty: set it to a folder')
         self.refuse('modeler', [PR2, '_map_frame:=/'], '/map_frame', 'is empty')
         self.refuse('modeler', [PR2, '_base_frame:=' + 'x' * 300], '/base_frame', 'is too long')

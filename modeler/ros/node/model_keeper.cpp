@@ -116,6 +116,11 @@ const Rooms& ModelKeeper::rooms() {
   return rooms_;
 }
 
+const Semantics& ModelKeeper::semantics() {
+  labels();  // of the same version
+  return semantics_;
+}
+
 void ModelKeeper::annotate(std::int64_t id, const std::string& label, const std::string& note) {
   annotations_.set(id, label, note, planes());
   ++version_;

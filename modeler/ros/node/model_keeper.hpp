@@ -14,6 +14,7 @@
 #include "modeler/ros/intake/line_log.hpp"
 #include "modeler/semantics/plane_label.hpp"
 #include "modeler/semantics/rooms.hpp"
+#include "modeler/semantics/semantics.hpp"
 
 namespace ribbon_mapper {
 
@@ -55,6 +56,8 @@ class ModelKeeper {
   const std::vector<PlaneLabel>& labels();
   /// Returns the rooms of planes().
   const Rooms& rooms();
+  /// Returns what the rules say about planes(), see semantics_of().
+  const Semantics& semantics();
   /// Annotates a plane of planes(). Throws as Annotations::set().
   void annotate(std::int64_t id, const std::string& label, const std::string& note);
   /// Returns what people have said about the planes.

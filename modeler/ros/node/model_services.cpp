@@ -6,6 +6,7 @@
 #include <stdexcept>
 #include <utility>
 
+#include "modeler/exports/exports.hpp"
 #include "modeler/io/save.hpp"
 #include "modeler/model_file/autosave.hpp"
 #include "modeler/program/version.hpp"
@@ -74,7 +75,8 @@ GetModel::Response model_response(const GetModel::Request& request, ModelKeeper&
 
 Save::Response save_response(const std::string& name, ModelKeeper& keeper,
                              const std::filesystem::path& directory, const std::string& frame,
-                             const std::vector<ChangedKey>& parameters) {
+                             const std::vector<ChangedKey>& parameters,
+                             const std::vector<MeshFormat>& mesh_formats) {
   Save::Response response;
   try {
     check_save_name(name);
@@ -84,9 +86,15 @@ Save::Response save_response(const std::string& name, ModelKeeper& keeper,
     const auto page = [&](const std::string& run) {
       return page_of(keeper, {name, frame, run, "ribbon_mapper " + version(), "", parameters});
     };
+    const auto exports = [&](const ModelLabel& label, FileSet& files) {
+      const std::vector<PlaneLabel>& labels = keeper.labels();
+      add_meshes(planes, label, labels, mesh_formats, name, files);
+      add_floor_plan(labelled_floor_plan(planes, keeper.semantics(), labels), label,
+                     name + "_floor_plan", files);
+    };
     for (const std::filesystem::path& file :
          save_model(planes, directory, name, keeper.stripe_gap_m(), frame,
-                    {keeper.file_bytes(frame), keeper.labels(), page, keeper.rooms()}))
+                    {keeper.file_bytes(frame), keeper.labels(), page, keeper.rooms(), exports}))
       response.message += " " + file.string();
     response.success = true;
   } catch (const std::exception& error) {

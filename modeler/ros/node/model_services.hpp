@@ -11,6 +11,7 @@
 #include <string>
 #include <vector>
 
+#include "modeler/mesh/mesh_file.hpp"
 #include "modeler/report/changed_keys.hpp"
 #include "modeler/ros/node/model_keeper.hpp"
 
@@ -22,10 +23,12 @@ GetModel::Response model_response(const GetModel::Request& request, ModelKeeper&
                                   const std::string& map_frame);
 
 /// Writes the model and its final planes as files below `directory`, with a page to look at them,
-/// and returns the answer to ~save. `parameters` are for the page. Errors are part of the answer.
+/// and a floor plan, and returns the answer to ~save. `parameters` are for the page. Errors are
+/// part of the answer.
 Save::Response save_response(const std::string& name, ModelKeeper& keeper,
                              const std::filesystem::path& directory, const std::string& frame,
-                             const std::vector<ChangedKey>& parameters);
+                             const std::vector<ChangedKey>& parameters,
+                             const std::vector<MeshFormat>& mesh_formats);
 
 /// Replaces the model by one that ~save has written below `directory`, and returns the answer to
 /// ~load. A model with ribbons is written there first, as kBeforeLoad. Errors are part of the

@@ -5,6 +5,8 @@
 #include <ros/param.h>
 #include <ros/this_node.h>
 
+#include <algorithm>
+#include <iterator>
 #include <sstream>
 #include <stdexcept>
 #include <vector>
@@ -18,6 +20,12 @@ using XmlRpc::XmlRpcValue;
 
 [[noreturn]] void refuse(const std::string& name, const std::string& why) {
   throw std::invalid_argument("parameter " + name + " " + why);
+}
+
+std::vector<std::string> words_of(std::string text) {
+  std::replace(text.begin(), text.end(), ',', ' ');
+  std::istringstream stream(text);
+  return {std::istream_iterator<std::string>(stream), {}};
 }
 
 template <typename Number>
@@ -41,6 +49,20 @@ std::string StrictParameters::text(const std::string& key, const std::string& fa
   if (!ros::param::get(name, value)) return fallback;
   if (value.getType() != XmlRpcValue::TypeString) refuse(name, "must be a text");
   return static_cast<std::string>(value);
+}
+
+std::vector<std::string> StrictParameters::words(const std::string& key) {
+  const std::string name = full_name(key);
+  XmlRpcValue value;
+  if (!ros::param::get(name, value)) return {};
+  if (value.getType() == XmlRpcValue::TypeString) return words_of(static_cast<std::string>(value));
+  std::vector<std::string> words;
+  if (value.getType() != XmlRpcValue::TypeArray) refuse(name, "must be a text or a list of texts");
+  for (int i = 0; i < value.size(); ++i) {
+    if (value[i].getType() != XmlRpcValue::TypeString) refuse(name, "must be a list of texts");
+    words.push_back(static_cast<std::string>(value[i]));
+  }
+  return words;
 }
 
 std::string StrictParameters::required_text(const std::string& key, const std::string& meaning) {

@@ -4,6 +4,7 @@
 
 #include <set>
 #include <string>
+#include <vector>
 
 namespace ribbon_mapper {
 
@@ -20,6 +21,9 @@ class StrictParameters {
                           const std::string& meaning);
   /// Returns a text parameter. Throws if it is not set; the error says what it means.
   std::string required_text(const std::string& key, const std::string& meaning);
+  /// Returns the words of a text, separated by commas or spaces, or of a list of texts; none if it
+  /// is not set.
+  std::vector<std::string> words(const std::string& key);
   /// Returns the name of a frame without its leading slash, or `fallback` if it is not set. Throws
   /// if it is empty or too long.
   std::string frame(const std::string& key, const std::string& fallback);

@@ -31,7 +31,8 @@ void run(const OfflineOptions& options, const std::string& command) {
   run.summary.cpu_s = cost.cpu_s;
   run.summary.peak_memory_mib = cost.peak_memory_mib;
   run.command = command;
-  write_model(run, options.output, options.with_figure);
+  write_model(run, options.output,
+              {options.with_figure, options.with_floor_plan, options.mesh_formats});
   std::printf("%sresults in %s\n", summary_text(run.summary).c_str(), options.output.c_str());
 }
 

@@ -3,6 +3,7 @@
 #include "modeler/ros/offline/offline_options.hpp"
 
 #include <CLI/CLI.hpp>
+#include <stdexcept>
 
 #include "modeler/ros/bag_check/bag_check_options.hpp"
 
@@ -13,13 +14,36 @@ constexpr const char* kDescription =
     "Models the scan lines of a bag as fast as possible, with the code of the node but without a\n"
     "ROS master. The same bag gives the same planes, byte for byte.\n"
     "Writes planes_before.json (recorded poses, as built on the way), planes_after.{json,ply,bt}\n"
-    "and planes_after_cells.ply (the final model), report.html (a page to look at it),\n"
+    "and planes_after_cells.ply (the final model), planes_after.glb (its mesh for other "
+    "programs),\n"
+    "floor_plan.geojson (walls, doors and rooms from above), report.html (a page to look at it),\n"
     "model.ribbons (to be loaded again), trajectory.tum and summary.json, with --trajectory self\n"
     "trajectory_covariance.csv as well.";
 
 constexpr const char* kFooter =
     "Not sure what is in the bag? `bag_check FILE` lists it and reports what is wrong.\n"
     "Exit code: 0 success, 1 failure, 2 wrong usage.";
+
+/// Returns what is wrong with a list of mesh formats; empty if nothing is.
+std::string defect_of(const std::string& mesh_formats) {
+  try {
+    mesh_formats_from(mesh_formats);
+    return "";
+  } catch (const std::invalid_argument& error) {
+    return error.what();
+  }
+}
+
+void add_export_options(CLI::App& app, OfflineOptions& options) {
+  app.add_flag("--floor-plan", options.with_floor_plan,
+               "draw floor_plan.svg, .png and .dxf from floor_plan.geojson");
+  app.add_option_function<std::string>(
+         "--mesh-formats",
+         [&options](const std::string& list) { options.mesh_formats = mesh_formats_from(list); },
+         "files of the planes for other programs: glb, obj, stl, separated by commas, or none")
+      ->check(CLI::Validator(&defect_of, ""))
+      ->default_str("glb");
+}
 
 /// Throws CLI::Error if options contradict each other.
 void check(const OfflineOptions& options) {
@@ -61,6 +85,7 @@ std::variant<OfflineOptions, int> parse_offline_options(int argc, const char* co
   app.add_flag("--maps", options.with_maps,
                "write map.pgm and map.yaml for map_server, and map.bt, an OctoMap of free and "
                "occupied space");
+  add_export_options(app, options);
   try {
     app.parse(argc, argv);
     check(options);

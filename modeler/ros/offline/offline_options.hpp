@@ -7,6 +7,7 @@
 #include <variant>
 #include <vector>
 
+#include "modeler/mesh/mesh_file.hpp"
 #include "modeler/ros/bag/bag_lines.hpp"
 
 namespace ribbon_mapper {
@@ -22,10 +23,12 @@ struct OfflineOptions {
   bool poses_are_final = false;  ///< the recorded poses are as good as corrected ones
   std::string config;            ///< preset; empty: that of `load`, or kPreset
   std::filesystem::path load;    ///< model file to go on from; empty: none
-  std::filesystem::path output = "results/offline";  ///< folder for the results
-  bool with_figure = false;                          ///< also draws model_views.png
-  bool with_maps = false;                            ///< also writes the maps for robots
-  BagOptions bag;                                    ///< topic, frames and times
+  std::filesystem::path output = "results/offline";        ///< folder for the results
+  bool with_figure = false;                                ///< also draws model_views.png
+  bool with_maps = false;                                  ///< also writes the maps for robots
+  bool with_floor_plan = false;                            ///< also draws the floor plan
+  std::vector<MeshFormat> mesh_formats{MeshFormat::gltf};  ///< of the mesh of the planes
+  BagOptions bag;                                          ///< topic, frames and times
 
   /// Returns whether the trajectory is estimated from odometry and planes.
   bool estimates_trajectory() const { return trajectory == "self"; }

@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "modeler/assembly/model_quality.hpp"
+#include "modeler/exports/exports.hpp"
 #include "modeler/io/config_file.hpp"
 #include "modeler/io/planes_json.hpp"
 #include "modeler/io/save.hpp"
@@ -238,6 +239,7 @@ OfflineRun model_bags(const OfflineOptions& options, const ProgressCallback& pro
   run.planes_after = keeper.planes();
   run.labels = keeper.labels();
   run.rooms = keeper.rooms();
+  run.floor_plan = labelled_floor_plan(run.planes_after, keeper.semantics(), run.labels);
   run.stripe_gap_m = config.surface.stripe_gap_m;
   run.frame = options.bag.intake.frames.map;
   run.parameters = changed_keys(config);
@@ -248,7 +250,8 @@ OfflineRun model_bags(const OfflineOptions& options, const ProgressCallback& pro
   return run;
 }
 
-void write_model(const OfflineRun& run, const std::filesystem::path& directory, bool with_figure) {
+void write_model(const OfflineRun& run, const std::filesystem::path& directory,
+                 const OfflineExtras& extras) {
   ModelLabel label;
   label.frame = run.frame;
   label.run = run_id_of({planes_to_json(run.planes_before, label),
@@ -264,8 +267,11 @@ void write_model(const OfflineRun& run, const std::filesystem::path& directory, 
   files.add("report.html", offline_page(run, label.run));
   files.add("rooms.json", rooms_to_json(run.rooms, label));
   add_model(run.planes_after, label, "planes_after", run.stripe_gap_m, files, run.labels);
+  add_meshes(run.planes_after, label, run.labels, extras.mesh_formats, "planes_after", files);
+  add_floor_plan(run.floor_plan, label, "floor_plan", files);
   if (run.maps) add_maps(*run.maps, label, "map", files);
-  if (with_figure) draw_figure(Figure::model_views, files.folder(), directory);
+  if (extras.with_figure) draw_figure(Figure::model_views, files.folder(), directory);
+  if (extras.with_floor_plan) draw_floor_plan(files.folder(), directory);
   files.commit();
 }
 

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "modeler/chain/matrix6.hpp"
+#include "modeler/floor_plan/floor_plan.hpp"
 #include "modeler/maps/model_maps.hpp"
 #include "modeler/program/progress.hpp"
 #include "modeler/report/changed_keys.hpp"
@@ -33,6 +34,8 @@ struct OfflineRun {
   std::string model_file;                              ///< bytes of a model file
   std::vector<Matrix6> covariances;                    ///< of an estimate, by pose of `trajectory`
   std::optional<ModelMaps> maps;                       ///< of the final model, if asked for
+  std::vector<PlaneLabel> labels;                      ///< of `planes_after`
+  FloorPlan floor_plan;                                ///< of the final model
   std::vector<ChangedKey> parameters;                  ///< of the modeler, see changed_keys()
   std::string command;                                 ///< the command line; may be empty
 };
@@ -42,10 +45,17 @@ struct OfflineRun {
 /// no line could be modelled.
 OfflineRun model_bags(const OfflineOptions& options, const ProgressCallback& progress);
 
-/// Writes the files of the model, report.html and the summary, and draws model_views.png if asked
-/// to. They are one set, see FileSet, and state the same run. Throws std::runtime_error with the
-/// file, the reason and a remedy.
+/// What is written beside the model.
+struct OfflineExtras {
+  bool with_figure = false;              ///< draws model_views.png
+  bool with_floor_plan = false;          ///< draws floor_plan.svg, .png and .dxf
+  std::vector<MeshFormat> mesh_formats;  ///< writes planes_after.glb, for example
+};
+
+/// Writes the files of the model, floor_plan.geojson, report.html and the summary, and what is
+/// asked for beside them. They are one set, see FileSet, and state the same run. Throws
+/// std::runtime_error with the file, the reason and a remedy.
 void write_model(const OfflineRun& run, const std::filesystem::path& directory,
-                 bool with_figure = false);
+                 const OfflineExtras& extras = {});
 
 }  // namespace ribbon_mapper
