@@ -18,10 +18,10 @@ constexpr auto kFree = static_cast<std::uint8_t>(VoxelState::free);
 constexpr auto kOccupied = static_cast<std::uint8_t>(VoxelState::occupied);
 constexpr std::uint8_t kDisputed = 3;  // while the map is being made
 
-// Log odds of OctoMap's 0.7 and 0.4. Three lines that pass free what was occupied, as they retract
-// planes: AssemblyConfig::passed_lines.
+// Log odds of OctoMap's 0.7 and 0.4. The third line that passes frees what was occupied, as it
+// retracts planes: AssemblyConfig::passed_lines.
 constexpr float kHit = 0.847F, kMiss = -0.405F;
-constexpr float kLeastOdds = -2.0F, kMostOdds = -3.0F * kMiss;
+constexpr float kLeastOdds = -2.0F, kMostOdds = -2.5F * kMiss;
 constexpr double kMaxVoxels = 32000.0;  // an OctoMap reaches 32768 voxels along an axis
 constexpr double kMaxColumns = 16e6;    // of the map for navigation: 400 MB while it is made
 
