@@ -232,7 +232,8 @@ class BadInput(unittest.TestCase):
         self.assertTrue(answer.success, answer.message)
         files = answer.message.split(' written to ')[1].split()
         endings = [os.path.splitext(file)[1] for file in files]
-        self.assertEqual(sorted(endings), [".bt", ".html", ".json", ".json", ".ply", ".ply", ".ribbons"])
+        self.assertEqual(sorted(endings), [".bt", ".html", ".json", ".json", ".ply", ".ply",
+                                           ".ribbons"])
         self.assertTrue(all(os.path.getsize(file) > 0 for file in files), answer.message)
 
 
