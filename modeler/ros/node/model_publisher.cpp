@@ -11,6 +11,10 @@
 namespace ribbon_mapper {
 namespace {
 
+/// Rooms cost as much as planes do, and change less: shortest time between two messages, unless a
+/// correction comes.
+constexpr double kRoomsPeriod_s = 5.0;
+
 bool is_wanted(const ros::Publisher& topic) { return topic.getNumSubscribers() > 0; }
 
 }  // namespace
@@ -45,12 +49,10 @@ std_msgs::Header ModelPublisher::header() const {
 void ModelPublisher::publish(ModelKeeper& keeper, Time done) {
   const bool all = std::exchange(all_again_, false);
   if (all) plane_markers_.forget();
-  if (all || version_ != keeper.version()) {
-    publish_planes(keeper);
-    publish_rooms(keeper);
-  }
+  if (all || version_ != keeper.version()) publish_planes(keeper);
   const std::size_t revision = keeper.modeler().statistics().revision;
   if (all || revision_ != revision) publish_before(keeper);
+  publish_rooms(keeper, all || revision_ != revision);
   if ((all || version_ != keeper.version() || done_ != done) && is_wanted(trajectory_))
     trajectory_.publish(path_message(keeper.modeler().trajectory(), map_frame_, done));
   version_ = keeper.version();
@@ -70,7 +72,14 @@ void ModelPublisher::publish_planes(ModelKeeper& keeper) {
   if (is_wanted(cloud_)) cloud_.publish(cell_cloud(planes, keeper.labels(), header()));
 }
 
-void ModelPublisher::publish_rooms(ModelKeeper& keeper) {
+void ModelPublisher::publish_rooms(ModelKeeper& keeper, bool at_once) {
+  if (!is_wanted(rooms_) && !is_wanted(room_markers_)) return;
+  const ros::WallTime now = ros::WallTime::now();
+  const bool is_due =
+      rooms_version_ != keeper.version() && (now - rooms_at_).toSec() >= kRoomsPeriod_s;
+  if (!at_once && !is_due) return;
+  rooms_version_ = keeper.version();
+  rooms_at_ = now;
   if (is_wanted(rooms_))
     rooms_.publish(rooms_message(keeper.rooms(), header(), keeper.modeler().statistics().revision));
   if (is_wanted(room_markers_)) room_markers_.publish(room_markers(keeper.rooms(), header()));

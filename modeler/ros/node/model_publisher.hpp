@@ -27,14 +27,15 @@ class ModelPublisher {
  private:
   std_msgs::Header header() const;
   void publish_planes(ModelKeeper& keeper);
-  void publish_rooms(ModelKeeper& keeper);
+  void publish_rooms(ModelKeeper& keeper, bool at_once);
   void publish_before(const ModelKeeper& keeper);
 
   std::string map_frame_;
   ros::Publisher planes_, markers_, markers_before_, cloud_, rooms_, room_markers_;
   ros::Publisher trajectory_, trajectory_before_;
   PlaneMarkers plane_markers_;
-  std::size_t version_ = 0, revision_ = 0;
+  std::size_t version_ = 0, revision_ = 0, rooms_version_ = 0;
+  ros::WallTime rooms_at_;
   Time done_{-1};
   bool all_again_ = true;  ///< for a new subscriber
 };

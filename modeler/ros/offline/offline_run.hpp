@@ -34,7 +34,6 @@ struct OfflineRun {
   std::string model_file;                              ///< bytes of a model file
   std::vector<Matrix6> covariances;                    ///< of an estimate, by pose of `trajectory`
   std::optional<ModelMaps> maps;                       ///< of the final model, if asked for
-  std::vector<PlaneLabel> labels;                      ///< of `planes_after`
   FloorPlan floor_plan;                                ///< of the final model
   std::vector<ChangedKey> parameters;                  ///< of the modeler, see changed_keys()
   std::string command;                                 ///< the command line; may be empty
