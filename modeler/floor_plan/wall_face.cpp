@@ -40,7 +40,7 @@ Polygons stretched(Polygons polygons, double factor) {
 Polygons without_tongues(const Polygons& elevation, double height_m) {
   constexpr double kStretch = 1000.0;
   if (elevation.empty()) return elevation;
-  const Polygons core = grown(stretched(elevation, kStretch), -0.5 * height_m);
+  Polygons core = grown(stretched(elevation, kStretch), -0.5 * height_m);
   if (core.empty()) return core;
   return stretched(grown(core, 0.5 * height_m), 1.0 / kStretch);
 }
