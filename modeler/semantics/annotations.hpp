@@ -46,8 +46,8 @@ class Annotations {
   /// Returns all annotations by the ids of their planes.
   const std::map<std::int64_t, Annotation>& by_id() const { return by_id_; }
 
-  /// Converts to text, a line for each: id, label, note, and ribbons separated by spaces. Tabulators
-  /// stand between them.
+  /// Converts to text, a line for each: id, label, note, and ribbons separated by spaces.
+  /// Tabulators stand between them.
   std::string to_text() const;
 
   /// Reads to_text(). Throws std::invalid_argument with the line that is wrong.

@@ -11,7 +11,8 @@
 namespace ribbon_mapper::sim {
 
 /// Name of the element of a model, link or collision that says what it is: "wall", for example.
-/// SDF leaves such names to others (http://sdformat.org/tutorials?tut=custom_elements_attributes_proposal).
+/// SDF leaves such names to others
+/// (http://sdformat.org/tutorials?tut=custom_elements_attributes_proposal).
 constexpr const char* kLabelElement = "ribbon_mapper:label";
 
 /// What a laser sees of an SDF file.

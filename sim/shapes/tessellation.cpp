@@ -24,11 +24,12 @@ class Builder {
   void start_planar(const std::string& side, const Vector3d& normal, const Vector3d& point,
                     bool bounded = true) {
     const Vector3d n = shape_.T_map_shape.linear() * normal;
-    out_.faces.push_back(
-        {shape_.name + "/" + side, n, -n.dot(shape_.T_map_shape * point), true, bounded, shape_.label});
+    out_.faces.push_back({shape_.name + "/" + side, n, -n.dot(shape_.T_map_shape * point), true,
+                          bounded, shape_.label});
   }
   void start_curved(const std::string& side) {
-    out_.faces.push_back({shape_.name + "/" + side, Vector3d::UnitZ(), 0.0, false, true, shape_.label});
+    out_.faces.push_back(
+        {shape_.name + "/" + side, Vector3d::UnitZ(), 0.0, false, true, shape_.label});
   }
   void triangle(const Vector3d& a, const Vector3d& b, const Vector3d& c) {
     const Pose& T = shape_.T_map_shape;
