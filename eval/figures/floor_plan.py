@@ -43,10 +43,10 @@ def unit(a, b):
 
 
 def draw_rooms(axes, plan):
-    for properties, geometry in plan.of_kind("room"):
+    for i, (_, geometry) in enumerate(plan.of_kind("room")):
         if not polygons(geometry):
             continue
-        colour = ROOM_COLOURS[(properties["number"] - 1) % len(ROOM_COLOURS)]
+        colour = ROOM_COLOURS[i % len(ROOM_COLOURS)]
         axes.add_patch(PathPatch(path_of(geometry), facecolor=colour, edgecolor="none", zorder=1))
 
 
@@ -55,7 +55,7 @@ def label_rooms(axes, plan, inch_per_m):
         size = min(9.0, max(4.5, 1.6 * inch_per_m * math.sqrt(properties["area_m2"]) * 3.0))
         free = "" if properties["is_enclosed"] else "\nof free floor"
         axes.text(*properties["label_at"],
-                  f"{properties['name']}\n{properties['area_m2']:.1f} m²{free}", ha="center",
+                  f"Room {properties['name']}\n{properties['area_m2']:.1f} m²{free}", ha="center",
                   va="center", fontsize=size, color=TEXT, zorder=7, linespacing=1.2,
                   bbox={"boxstyle": "round,pad=0.15", "fc": "white", "lw": 0, "alpha": 0.6})
 

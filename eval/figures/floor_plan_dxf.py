@@ -88,7 +88,7 @@ def add_rooms(space, plan):
     for properties, geometry in plan.of_kind("room"):
         add_outline(space, geometry, "ROOMS")
         x, y = properties["label_at"]
-        lines = (properties["name"], f"{properties['area_m2']:.1f} m2")
+        lines = (f"Room {properties['name']}", f"{properties['area_m2']:.1f} m2")
         for i, text in enumerate(lines):
             place = (x, y - 1.5 * TEXT_M * i)
             space.add_text(text, dxfattribs={"layer": "ROOMS", "height": TEXT_M, "insert": place,

@@ -6,6 +6,8 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
+#include "modeler/semantics/rooms.hpp"
+
 namespace ribbon_mapper {
 namespace {
 
@@ -62,11 +64,10 @@ Json wall_feature(const PlanWall& wall) {
                  wall.thickness_m ? to_json(wall.footprint) : line(wall.face[0], wall.face[1]));
 }
 
-/// Returns the numbers of rooms, from 1 on.
-Json room_numbers(const std::vector<std::size_t>& rooms) {
-  Json numbers = Json::array();
-  for (const std::size_t room : rooms) numbers.push_back(room + 1);
-  return numbers;
+Json room_names(const std::vector<std::size_t>& rooms) {
+  Json names = Json::array();
+  for (const std::size_t room : rooms) names.push_back(room_name(room));
+  return names;
 }
 
 Json opening_feature(const PlanOpening& opening, std::size_t number) {
@@ -76,7 +77,7 @@ Json opening_feature(const PlanOpening& opening, std::size_t number) {
                   {"thickness_m", to_json(opening.depth_m)},
                   {"sill_m", rounded(opening.sill_m)},
                   {"head_m", to_json(opening.head_m)},
-                  {"rooms", room_numbers(opening.rooms)},
+                  {"rooms", room_names(opening.rooms)},
                   {"planes", opening.planes}},
                  line(opening.jambs[0], opening.jambs[1]));
 }
@@ -89,10 +90,9 @@ Json leaf_feature(const PlanLeaf& leaf, std::size_t door) {
                  line(leaf.hinge, leaf.tip));
 }
 
-Json room_feature(const PlanRoom& room, std::size_t number) {
+Json room_feature(const PlanRoom& room, const std::string& name) {
   return feature({{"kind", "room"},
-                  {"number", number},
-                  {"name", "Room " + std::to_string(number)},
+                  {"name", name},
                   {"area_m2", rounded(room.area_m2)},
                   {"free_floor_m2", rounded(room.free_floor_m2)},
                   {"is_enclosed", room.is_enclosed},
@@ -103,7 +103,7 @@ Json room_feature(const PlanRoom& room, std::size_t number) {
 std::vector<Json> features_of(const FloorPlan& plan) {
   std::vector<Json> features;
   for (std::size_t i = 0; i < plan.rooms.size(); ++i) {
-    features.push_back(room_feature(plan.rooms[i], i + 1));
+    features.push_back(room_feature(plan.rooms[i], room_name(i)));
   }
   for (const PlanWall& wall : plan.walls) features.push_back(wall_feature(wall));
   if (!plan.solid.empty()) {

@@ -81,6 +81,7 @@ TEST(FloorPlanGeoJson, HasWallsAndRoomsInMetres) {
   ASSERT_EQ(2u, plan["features"].size());
   const json& room = plan["features"][0];
   EXPECT_EQ("room", room["properties"]["kind"]);
+  EXPECT_EQ("A", room["properties"]["name"]);
   EXPECT_NEAR(12.0, room["properties"]["area_m2"], 0.5);
   const json& ring = room["geometry"]["coordinates"][0];
   EXPECT_EQ(ring.front(), ring.back()) << "closed";

@@ -120,7 +120,7 @@ class Readers(unittest.TestCase):
         self.assertAlmostEqual(sum(map(area_of, rings)),
                                sum(area_of([(x, y, 0.0) for x, y in ring]) for ring in solid), 3)
         texts = {text.dxf.text for text in drawing.modelspace().query("TEXT")}
-        self.assertTrue({"Room 1", "25.5 m2"} <= texts, texts)
+        self.assertTrue({"Room A", "25.5 m2"} <= texts, texts)
 
     def test_svg_is_xml_with_areas_and_a_scale(self):
         root = xml.parse(self.folder / "floor_plan.svg").getroot()
