@@ -3,6 +3,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <array>
 #include <cstdint>
 #include <optional>
 #include <vector>
@@ -15,7 +16,7 @@ namespace ribbon_mapper {
 struct DoorOpening {
   std::int64_t plane = 0;  ///< id of the wall, of the first one if it is between two
   /// Its two edges on the wall at the height of the floor, in map [m].
-  Eigen::Vector3d jambs[2] = {Eigen::Vector3d::Zero(), Eigen::Vector3d::Zero()};
+  std::array<Eigen::Vector3d, 2> jambs = {Eigen::Vector3d::Zero(), Eigen::Vector3d::Zero()};
   double sill_m = 0.0;           ///< height of the floor in it
   std::optional<double> head_m;  ///< height of the lintel; nothing if none was seen
   double confidence = 0.0;       ///< as Decision::confidence
