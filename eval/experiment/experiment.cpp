@@ -82,7 +82,7 @@ void evaluate_planes(Results& results, const sim::World& world, const Truth& tru
   const std::vector<Plane>& planes = results.models.corrected;
   const Semantics semantics = semantics_of(planes, positions_of(results.trajectory_after));
   results.labels = plane_labels(planes, semantics, {});
-  results.rooms = rooms_of(planes, semantics);
+  results.rooms = rooms_of(planes, semantics, results.surface.stripe_gap_m);
   results.floor_plan = floor_plan_of(planes, semantics, *results.rooms);
   const std::vector<LabelledCell> cells = labelled_cells(world, truth.collector.cells());
   if (!cells.empty()) {
@@ -121,6 +121,7 @@ Results run_experiment(const sim::World& world, const sim::Route& route,
   const LineLog log = drive(tour, modeler, self ? &*self : nullptr, truth, progress);
 
   Results results;
+  results.surface = modeler_config.surface;
   results.summary = summary_of(log, tour, modeler);
   const std::vector<sim::TruthPlane> true_planes = truth.collector.planes();
   truth.points.settle(true_planes);

@@ -52,14 +52,6 @@ std::string figure_data(const Results& results, const std::string& run_id) {
   return data.dump() + "\n";
 }
 
-/// Adds the outlines that planes as built do not have.
-std::vector<Plane> with_outlines(std::vector<Plane> planes) {
-  for (Plane& plane : planes) {
-    if (plane.outlines.empty()) plane.outlines = outlines_of(plane, {});
-  }
-  return planes;
-}
-
 }  // namespace
 
 void evaluate(Results& results) {
@@ -78,8 +70,8 @@ void evaluate(Results& results) {
 
 FileSet staged_results(const Results& results, const std::filesystem::path& directory,
                        const std::vector<MeshFormat>& mesh_formats) {
-  const std::vector<Plane> before = with_outlines(results.models.noisy_as_built);
-  const std::vector<Plane> truth = with_outlines(planes_of(results.truth));
+  const std::vector<Plane> before = with_outlines(results.models.noisy_as_built, results.surface);
+  const std::vector<Plane> truth = with_outlines(planes_of(results.truth), results.surface);
   ModelLabel label;
   label.run = run_id_of({planes_to_json(before), planes_to_json(results.models.noisy),
                          planes_to_json(results.models.corrected), planes_to_json(truth),
@@ -100,7 +92,7 @@ FileSet staged_results(const Results& results, const std::filesystem::path& dire
   if (results.floor_plan) add_floor_plan(*results.floor_plan, label, "floor_plan", files);
   files.add("figure.json", figure_data(results, label.run));
   files.add("report.html", report_page(results, before, truth, label.run));
-  add_model(results.models.corrected, label, "planes_after", SurfaceConfig{}.stripe_gap_m, files,
+  add_model(results.models.corrected, label, "planes_after", results.surface.stripe_gap_m, files,
             results.labels);
   add_meshes(results.models.corrected, label, results.labels, mesh_formats, "planes_after", files);
   return files;

@@ -17,6 +17,7 @@
 #include "modeler/semantics/rooms.hpp"
 #include "modeler/storage/file_set.hpp"
 #include "modeler/surface/plane.hpp"
+#include "modeler/surface/surface_config.hpp"
 
 namespace ribbon_mapper::eval {
 
@@ -41,6 +42,7 @@ struct Results {
   std::vector<StampedPose> trajectory_truth;
   /// Polylines of the world in a top view [m], for the figure.
   std::vector<std::vector<Eigen::Vector2d>> world_outlines;
+  SurfaceConfig surface;  ///< the modeler's, if known
   /// Keys of the modeler's configuration that are not at their defaults, if known.
   std::optional<std::vector<ChangedKey>> parameters;
 };

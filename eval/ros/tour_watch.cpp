@@ -156,7 +156,8 @@ Results TourWatch::results() {
   results.trajectory_truth = truth_.at_stamps_of(results.trajectory_before);
   results.rooms =
       rooms_of(results.models.corrected,
-               semantics_of(results.models.corrected, positions_of(results.trajectory_after)));
+               semantics_of(results.models.corrected, positions_of(results.trajectory_after)),
+               results.surface.stripe_gap_m);
 
   const GetModel::Response state = model(false, true, false);
   results.summary.lines = state.lines;

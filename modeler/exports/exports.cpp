@@ -5,7 +5,6 @@
 #include <nlohmann/json.hpp>
 
 #include "modeler/exports/floor_plan_geojson.hpp"
-#include "modeler/semantics/rooms.hpp"
 
 namespace ribbon_mapper {
 namespace {
@@ -32,14 +31,6 @@ void add_meshes(const std::vector<Plane>& planes, ModelLabel label,
       files.add(name + file.suffix, file.bytes);
     }
   }
-}
-
-FloorPlan labelled_floor_plan(const std::vector<Plane>& planes, Semantics semantics,
-                              const std::vector<PlaneLabel>& labels) {
-  for (std::size_t i = 0; i < labels.size(); ++i) {
-    if (const auto label = label_from(labels[i].text)) semantics.labels[i].label = *label;
-  }
-  return floor_plan_of(planes, semantics, rooms_of(planes, semantics));
 }
 
 void add_floor_plan(const FloorPlan& plan, const ModelLabel& label, const std::string& name,

@@ -9,7 +9,6 @@
 #include "modeler/io/model_label.hpp"
 #include "modeler/mesh/mesh_file.hpp"
 #include "modeler/semantics/plane_label.hpp"
-#include "modeler/semantics/semantics.hpp"
 #include "modeler/storage/file_set.hpp"
 #include "modeler/surface/plane.hpp"
 
@@ -21,12 +20,6 @@ namespace ribbon_mapper {
 void add_meshes(const std::vector<Plane>& planes, ModelLabel label,
                 const std::vector<PlaneLabel>& labels, const std::vector<MeshFormat>& formats,
                 const std::string& name, FileSet& files);
-
-/// Returns the floor plan of planes with their rooms. A person's own label goes before that of the
-/// rules, if it is one of the rules' labels, such as "wall". `semantics` and `labels` are those of
-/// the planes.
-FloorPlan labelled_floor_plan(const std::vector<Plane>& planes, Semantics semantics,
-                              const std::vector<PlaneLabel>& labels);
 
 /// Adds a floor plan to a set as <name>.geojson.
 void add_floor_plan(const FloorPlan& plan, const ModelLabel& label, const std::string& name,

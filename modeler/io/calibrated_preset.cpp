@@ -2,28 +2,17 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "modeler/io/calibrated_preset.hpp"
 
-#include <array>
-#include <charconv>
-
 #include "modeler/io/config_file.hpp"
 #include "modeler/io/model_label.hpp"
+#include "modeler/text/number_text.hpp"
 
 namespace ribbon_mapper {
 namespace {
 
-/// Returns a number with three significant digits, whatever the locale.
-std::string text_of(double value) {
-  std::array<char, 32> text;
-  const auto end =
-      std::to_chars(text.begin(), text.end(), value, std::chars_format::general, 3).ptr;
-  return {text.begin(), end};
-}
+/// Returns a number with three significant digits.
+std::string text_of(double value) { return general_text(value, 3); }
 
-double rounded(double value) {
-  const std::string text = text_of(value);
-  std::from_chars(text.data(), text.data() + text.size(), value);
-  return value;
-}
+double rounded(double value) { return number_from(text_of(value)).value_or(value); }
 
 std::string variances(const std::string& name, const RibbonDeviation& deviation) {
   return "# " + name + ": distance " + text_of(deviation.distance_variance_m2) + " m2, normals " +

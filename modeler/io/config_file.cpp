@@ -4,20 +4,22 @@
 
 #include <yaml-cpp/yaml.h>
 
-#include <array>
 #include <charconv>
 #include <ios>
 #include <map>
+#include <optional>
 #include <set>
 #include <sstream>
 #include <stdexcept>
 #include <string>
 #include <system_error>
+#include <type_traits>
 #include <vector>
 
 #include "modeler/config_keys.hpp"
 #include "modeler/io/model_label.hpp"
 #include "modeler/io/renamed_keys.hpp"
+#include "modeler/text/number_text.hpp"
 
 namespace ribbon_mapper {
 namespace {
@@ -72,9 +74,16 @@ void collect(const YAML::Node& section, const std::string& prefix, const KnownNa
 template <typename Number>
 bool parse(const std::string& text, Number& number) {
   const bool has_mark = text.rfind('+', 0) == 0 || text == ".nan" || text == ".inf";
-  const char* const end = text.data() + text.size();
-  const auto [at, error] = std::from_chars(text.data() + (has_mark ? 1 : 0), end, number);
-  return error == std::errc() && at == end;
+  const std::string digits = text.substr(has_mark ? 1 : 0);
+  if constexpr (std::is_floating_point_v<Number>) {
+    const std::optional<double> found = number_from(digits);
+    number = found.value_or(number);
+    return found.has_value();
+  } else {
+    const char* const end = digits.data() + digits.size();
+    const auto [at, error] = std::from_chars(digits.data(), end, number);
+    return error == std::errc() && at == end;
+  }
 }
 
 /// Assigns the values of keys.
@@ -120,9 +129,7 @@ struct Listing {
 
   template <typename Number>
   void operator()(const char* key, const Number& value, double, double) {
-    std::array<char, 32> digits;
-    const auto end = std::to_chars(digits.begin(), digits.end(), value).ptr;
-    add(key, std::string(digits.begin(), end));
+    add(key, shortest_text(value));
   }
   void operator()(const char* key, const bool& value) { add(key, value ? "true" : "false"); }
 

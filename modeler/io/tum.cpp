@@ -4,7 +4,6 @@
 
 #include <array>
 #include <cerrno>
-#include <charconv>
 #include <cmath>
 #include <cstdlib>
 #include <cstring>
@@ -15,28 +14,12 @@
 #include <stdexcept>
 
 #include "modeler/geometry/pose_defect.hpp"
+#include "modeler/text/number_text.hpp"
 
 namespace ribbon_mapper {
 namespace {
 
 constexpr double kQuaternionTolerance = 0.01;  // some files have only four decimals
-
-/// Appends a number with a fixed number of decimals, whatever the locale.
-void append(std::string& line, double value, int decimals) {
-  constexpr std::size_t kDigits = std::numeric_limits<double>::max_exponent10 + 32;
-  std::array<char, kDigits> digits;
-  const auto end =
-      std::to_chars(digits.begin(), digits.end(), value, std::chars_format::fixed, decimals).ptr;
-  line.append(digits.begin(), end);
-}
-
-/// Appends a number with seven significant digits, whatever the locale.
-void append_scientific(std::string& line, double value) {
-  std::array<char, 32> digits;
-  const auto end =
-      std::to_chars(digits.begin(), digits.end(), value, std::chars_format::scientific, 6).ptr;
-  line.append(digits.begin(), end);
-}
 
 /// Returns a time in seconds, exact to the nanosecond.
 std::string seconds_text(Time time) {
@@ -50,8 +33,8 @@ std::string to_line(const StampedPose& pose) {
   std::string line = seconds_text(pose.stamp);
   Eigen::Quaterniond q(pose.T_map_base.linear());
   if (q.w() < 0.0) q.coeffs() = -q.coeffs();
-  for (const double value : pose.T_map_base.translation()) append(line += " ", value, 9);
-  for (const double value : q.coeffs()) append(line += " ", value, 12);
+  for (const double value : pose.T_map_base.translation()) line += " " + fixed_text(value, 9);
+  for (const double value : q.coeffs()) line += " " + fixed_text(value, 12);
   return line + "\n";
 }
 
@@ -106,8 +89,9 @@ std::string to_covariance_csv(const std::vector<StampedPose>& trajectory,
       [&](int row, int column) { text += std::string(",") + kNames[row] + "_" + kNames[column]; });
   for (std::size_t i = 0; i < trajectory.size(); ++i) {
     text += "\n" + seconds_text(trajectory[i].stamp);
-    for_each_column(
-        [&](int row, int column) { append_scientific(text += ",", covariances[i](row, column)); });
+    for_each_column([&](int row, int column) {
+      text += "," + scientific_text(covariances[i](row, column), 6);
+    });
   }
   return text + "\n";
 }

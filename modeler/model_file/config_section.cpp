@@ -2,13 +2,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "modeler/model_file/config_section.hpp"
 
-#include <array>
-#include <charconv>
 #include <cmath>
 #include <map>
 #include <utility>
 
 #include "modeler/config_keys.hpp"
+#include "modeler/text/number_text.hpp"
 
 namespace ribbon_mapper {
 namespace {
@@ -55,11 +54,6 @@ struct Assignment {
   }
 };
 
-std::string text_of(double value) {
-  std::array<char, 32> digits;
-  return {digits.data(), std::to_chars(digits.begin(), digits.end(), value).ptr};
-}
-
 }  // namespace
 
 void write_config(const ModelerConfig& config, ByteWriter& to) {
@@ -89,8 +83,8 @@ std::vector<std::string> changed_keys(const ModelerConfig& before, const Modeler
   std::vector<std::string> changes;
   for (std::size_t i = 0; i < is.size(); ++i) {
     if (was[i].second == is[i].second) continue;
-    changes.push_back(is[i].first + " was " + text_of(was[i].second) + ", is " +
-                      text_of(is[i].second));
+    changes.push_back(is[i].first + " was " + shortest_text(was[i].second) + ", is " +
+                      shortest_text(is[i].second));
   }
   return changes;
 }

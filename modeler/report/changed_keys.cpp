@@ -2,10 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "modeler/report/changed_keys.hpp"
 
-#include <array>
-#include <charconv>
 
 #include "modeler/config_keys.hpp"
+#include "modeler/text/number_text.hpp"
 
 namespace ribbon_mapper {
 namespace {
@@ -16,9 +15,7 @@ struct Listing {
 
   template <typename Number>
   void operator()(const char* key, const Number& value, double, double) {
-    std::array<char, 32> digits;
-    const auto end = std::to_chars(digits.begin(), digits.end(), value).ptr;
-    keys.push_back({key, std::string(digits.begin(), end), ""});
+    keys.push_back({key, shortest_text(value), ""});
   }
   void operator()(const char* key, const bool& value) {
     keys.push_back({key, value ? "true" : "false", ""});

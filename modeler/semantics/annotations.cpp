@@ -113,7 +113,15 @@ void Annotations::set(std::int64_t id, const std::string& label, const std::stri
   }
 }
 
-std::vector<const Annotation*> Annotations::of(const std::vector<Plane>& planes) {
+void Annotations::note_ribbons(const std::vector<Plane>& planes) {
+  if (by_id_.empty()) return;
+  for (const Plane& plane : planes) {
+    const auto found = by_id_.find(plane.id);
+    if (found != by_id_.end()) found->second.ribbons = some_of(plane.ribbons);
+  }
+}
+
+std::vector<const Annotation*> Annotations::of(const std::vector<Plane>& planes) const {
   std::vector<const Annotation*> annotations(planes.size(), nullptr);
   if (by_id_.empty()) return annotations;
   std::unordered_map<std::int64_t, std::size_t> plane_of_id;
@@ -123,14 +131,13 @@ std::vector<const Annotation*> Annotations::of(const std::vector<Plane>& planes)
     for (const std::uint32_t ribbon : planes[i].ribbons) plane_of_ribbon[ribbon] = i;
   }
   std::vector<const Annotation*> homeless;
-  for (auto& [id, annotation] : by_id_) {
+  for (const auto& [id, annotation] : by_id_) {
     const auto found = plane_of_id.find(id);
     if (found == plane_of_id.end()) {
       homeless.push_back(&annotation);
-      continue;
+    } else {
+      annotations[found->second] = &annotation;
     }
-    annotation.ribbons = some_of(planes[found->second].ribbons);
-    annotations[found->second] = &annotation;
   }
   for (const Annotation* annotation : homeless) {
     const auto holder = holder_of(annotation->ribbons, plane_of_ribbon);

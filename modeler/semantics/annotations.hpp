@@ -39,9 +39,11 @@ class Annotations {
   void set(std::int64_t id, const std::string& label, const std::string& note,
            const std::vector<Plane>& planes);
 
-  /// Returns, for each plane in its order, what people say about it; null where nothing. Notes
-  /// which ribbons annotated planes have.
-  std::vector<const Annotation*> of(const std::vector<Plane>& planes);
+  /// Notes which ribbons the annotated planes have, by which they are found if their ids are gone.
+  void note_ribbons(const std::vector<Plane>& planes);
+
+  /// Returns, for each plane in its order, what people say about it; null where nothing.
+  std::vector<const Annotation*> of(const std::vector<Plane>& planes) const;
 
   /// Returns all annotations by the ids of their planes.
   const std::map<std::int64_t, Annotation>& by_id() const { return by_id_; }

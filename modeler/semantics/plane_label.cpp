@@ -4,6 +4,16 @@
 
 namespace ribbon_mapper {
 
+Semantics with_annotations(Semantics semantics, const std::vector<const Annotation*>& annotations) {
+  for (std::size_t i = 0; i < annotations.size(); ++i) {
+    if (annotations[i] == nullptr) continue;
+    if (const auto label = label_from(annotations[i]->label)) {
+      semantics.labels.at(i) = {*label, 1.0};
+    }
+  }
+  return semantics;
+}
+
 std::vector<PlaneLabel> plane_labels(const std::vector<Plane>& planes, const Semantics& semantics,
                                      const std::vector<const Annotation*>& annotations) {
   std::vector<PlaneLabel> labels;

@@ -19,6 +19,10 @@ struct PlaneLabel {
   Label rule = Label::furniture;  ///< what the rules say, whatever a person says
 };
 
+/// Returns semantics in which a person's own label goes before that of the rules, if it is one of
+/// theirs, such as "wall". `annotations` are those of the planes, or none.
+Semantics with_annotations(Semantics semantics, const std::vector<const Annotation*>& annotations);
+
 /// Returns the labels of planes, in their order. A person's own label goes before that of the
 /// rules. `semantics` are those of the same planes.
 std::vector<PlaneLabel> plane_labels(const std::vector<Plane>& planes, const Semantics& semantics,

@@ -33,9 +33,9 @@ class FloorMap {
  public:
   explicit FloorMap(const RoomConfig& config) : config_(config) {}
 
-  /// Adds the floor of a plane.
-  void add_floor(const Plane& plane) {
-    for (const CellRectangle& r : surface_rectangles(plane, config_.stripe_gap_m)) {
+  /// Adds the floor of a plane and its stripes.
+  void add_floor(const Plane& plane, double stripe_gap_m) {
+    for (const CellRectangle& r : surface_rectangles(plane, stripe_gap_m)) {
       for (std::int32_t v = r.v_begin; v < r.v_end; ++v) {
         for (std::int32_t u = r.u_begin; u < r.u_end; ++u) add_cell(plane, u, v);
       }
@@ -150,12 +150,12 @@ Room room_of(const std::vector<Square>& squares, const FloorMap& floor, const Ro
 }
 
 FloorMap floor_map_of(const std::vector<Plane>& planes, const Semantics& semantics,
-                      const RoomConfig& config) {
+                      double stripe_gap_m, const RoomConfig& config) {
   FloorMap floor(config);
   for (std::size_t i = 0; i < planes.size(); ++i) {
     const Label label = semantics.labels[i].label;
     if (label == Label::floor || (label == Label::slope && planes[i].normal.z() > 0.0)) {
-      floor.add_floor(planes[i]);
+      floor.add_floor(planes[i], stripe_gap_m);
     }
   }
   for (std::size_t i = 0; i < planes.size(); ++i) {
@@ -222,9 +222,9 @@ std::vector<Outline> floor_outlines(const Room& room) {
   return outlines;
 }
 
-Rooms rooms_of(const std::vector<Plane>& planes, const Semantics& semantics,
+Rooms rooms_of(const std::vector<Plane>& planes, const Semantics& semantics, double stripe_gap_m,
                const RoomConfig& config) {
-  FloorMap floor = floor_map_of(planes, semantics, config);
+  FloorMap floor = floor_map_of(planes, semantics, stripe_gap_m, config);
   Rooms rooms;
   for (const std::vector<Square>& squares : floor.divide()) {
     rooms.rooms.push_back(room_of(squares, floor, config));

@@ -17,9 +17,6 @@ struct RoomConfig {
   /// Least area of a room [m2]. A lavatory has one; the floor between the jambs of a door has less.
   double least_area_m2 = 1.0;
 
-  /// Largest gap between scan lines on the floor [m], as SurfaceConfig::stripe_gap_m.
-  double stripe_gap_m = 0.3;
-
   /// Side of the squares in which the floor is divided [m].
   double square_m = 0.05;
 
@@ -56,8 +53,9 @@ std::string room_name(std::size_t index);
 std::vector<Outline> floor_outlines(const Room& room);
 
 /// Divides the free floor of a model into rooms, at walls and door openings. `semantics` are those
-/// of the planes. Furniture and what was not seen is no free floor.
-Rooms rooms_of(const std::vector<Plane>& planes, const Semantics& semantics,
+/// of the planes. Furniture and what was not seen is no free floor; stripes between scan lines of
+/// up to `stripe_gap_m` are, see SurfaceConfig::stripe_gap_m.
+Rooms rooms_of(const std::vector<Plane>& planes, const Semantics& semantics, double stripe_gap_m,
                const RoomConfig& config = {});
 
 }  // namespace ribbon_mapper

@@ -84,4 +84,11 @@ Polygons areas_of(const Plane& plane, const std::vector<Outline>& outlines) {
   return areas;
 }
 
+std::vector<Plane> with_outlines(std::vector<Plane> planes, const SurfaceConfig& config) {
+  for (Plane& plane : planes) {
+    if (plane.outlines.empty()) plane.outlines = outlines_of(plane, config);
+  }
+  return planes;
+}
+
 }  // namespace ribbon_mapper

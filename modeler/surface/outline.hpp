@@ -21,6 +21,9 @@ Polygons seen_area(const Plane& plane, double stripe_gap_m, double tolerance_m);
 /// Returns the outlines of the seen area of a plane, as seen_area(), in map.
 std::vector<Outline> outlines_of(const Plane& plane, const SurfaceConfig& config);
 
+/// Returns the planes with the outlines that planes as built do not have, see outlines_of().
+std::vector<Plane> with_outlines(std::vector<Plane> planes, const SurfaceConfig& config);
+
 /// Returns the position of a point along axis_u and axis_v from the origin of a plane [m].
 inline Eigen::Vector2d on_axes(const Plane& plane, const Eigen::Vector3d& point) {
   const Eigen::Vector3d offset = point - plane.origin;

@@ -2,13 +2,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "sim/sdf/sdf_file.hpp"
 
-#include <charconv>
 #include <cstdio>
 #include <cstring>
 #include <filesystem>
 #include <sstream>
 #include <stdexcept>
 
+#include "modeler/text/number_text.hpp"
 namespace ribbon_mapper::sim {
 namespace {
 
@@ -28,10 +28,9 @@ int version_from(const char* text) {
 
 /// Returns the number that a whole word is, or nothing. Does not depend on the locale.
 bool is_number(const std::string& word, double& number) {
-  const char* first = word.data() + (word[0] == '+' ? 1 : 0);
-  const char* last = word.data() + word.size();
-  const auto [end, error] = std::from_chars(first, last, number);
-  return error == std::errc() && end == last;
+  const auto found = number_from(word[0] == '+' ? word.substr(1) : word);
+  number = found.value_or(0.0);
+  return found.has_value();
 }
 
 void collect_references(const XMLElement& element, std::set<std::string>& references) {

@@ -3,11 +3,11 @@
 #include "sim/tour/odometry_faults.hpp"
 
 #include <algorithm>
-#include <charconv>
 #include <cmath>
 #include <sstream>
 #include <stdexcept>
 
+#include "modeler/text/number_text.hpp"
 #include "sim/robot/pr2.hpp"
 
 namespace ribbon_mapper::sim {
@@ -24,11 +24,9 @@ constexpr double kDegree_rad = 3.14159265358979323846 / 180.0;
 
 /// Returns the number that is all of `text`. `part` is quoted if it is none.
 double number(const std::string& text, const std::string& part) {
-  double value = 0.0;
-  const char* const end = text.data() + text.size();
-  const auto [rest, error] = std::from_chars(text.data(), end, value);
-  if (error != std::errc() || rest != end || !std::isfinite(value)) refuse(part);
-  return value;
+  const auto value = number_from(text);
+  if (!value || !std::isfinite(*value)) refuse(part);
+  return *value;
 }
 
 void add_event(const std::string& name, const std::string& value, const std::string& part,

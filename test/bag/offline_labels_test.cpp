@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <gtest/gtest.h>
 
+#include <fstream>
 #include <nlohmann/json.hpp>
 
 #include "modeler/ros/offline/offline_run.hpp"
@@ -10,13 +11,17 @@
 namespace ribbon_mapper {
 namespace {
 
-TEST(OfflineLabels, PlanesHaveLabelsAndTheRoomIsOne) {
-  const TemporaryDirectory directory;
+OfflineRun small_room(const std::string& preset) {
   ros::Time::init();
   OfflineOptions options;
   options.bags = {PROJECT_DIR "/test/data/small_room.bag"};
-  options.config = PROJECT_DIR "/config/pr2.yaml";
-  write_model(model_bags(options, [](const Progress&) {}), directory.path());
+  options.config = preset;
+  return model_bags(options, [](const Progress&) {});
+}
+
+TEST(OfflineLabels, PlanesHaveLabelsAndTheRoomIsOne) {
+  const TemporaryDirectory directory;
+  write_model(small_room(PROJECT_DIR "/config/pr2.yaml"), directory.path());
   std::size_t floors = 0;
   const auto model = nlohmann::json::parse(content_of(directory.path() / "planes_after.json"));
   for (const auto& plane : model.at("planes")) {
@@ -29,6 +34,23 @@ TEST(OfflineLabels, PlanesHaveLabelsAndTheRoomIsOne) {
   const std::string page = content_of(directory.path() / "report.html");
   EXPECT_NE(page.find("\"room A\""), std::string::npos);
   EXPECT_NE(page.find("\"label\":\"floor\""), std::string::npos);
+}
+
+TEST(OfflineLabels, RoomsOfTheFloorPlanAreTheRoomsWhateverThePreset) {
+  const TemporaryDirectory directory;
+  const auto preset = directory.path() / "close_lines.yaml";
+  std::string text = content_of(PROJECT_DIR "/config/pr2.yaml");
+  const std::string key = "stripe_gap_m: 0.3";
+  ASSERT_NE(text.find(key), std::string::npos);
+  std::ofstream(preset) << text.replace(text.find(key), key.size(), "stripe_gap_m: 0.02");
+  const OfflineRun run = small_room(preset.string());
+  ASSERT_FALSE(run.rooms.rooms.empty());
+  EXPECT_LT(run.rooms.rooms[0].area_m2,
+            0.9 * small_room(PROJECT_DIR "/config/pr2.yaml").rooms.rooms[0].area_m2);
+  ASSERT_EQ(run.rooms.rooms.size(), run.floor_plan.rooms.size());
+  for (std::size_t i = 0; i < run.rooms.rooms.size(); ++i) {
+    EXPECT_EQ(run.rooms.rooms[i].area_m2, run.floor_plan.rooms[i].area_m2) << i;
+  }
 }
 
 }  // namespace

@@ -8,6 +8,7 @@
 #include <nlohmann/json.hpp>
 
 #include "modeler/exports/floor_plan_geojson.hpp"
+#include "modeler/semantics/rooms.hpp"
 #include "modeler/surface/outline.hpp"
 #include "test/io/temporary_directory.hpp"
 #include "test/modeler/semantics/rectangles.hpp"
@@ -26,8 +27,10 @@ std::vector<Plane> planes() {
   return planes;
 }
 
-FloorPlan plan_of(const std::vector<Plane>& planes, const std::vector<PlaneLabel>& labels = {}) {
-  return labelled_floor_plan(planes, semantics_of(planes, {}), labels);
+FloorPlan plan_of(const std::vector<Plane>& planes) {
+  const Semantics semantics = semantics_of(planes, {});
+  return floor_plan_of(planes, semantics,
+                       rooms_of(planes, semantics, SurfaceConfig{}.stripe_gap_m));
 }
 
 TEST(MeshFormats, AreThoseOfAList) {
@@ -100,12 +103,6 @@ TEST(FloorPlanGeoJson, OfAnEmptyModelHasNoFeatures) {
 
 TEST(FloorPlanGeoJson, HasTheSameBytesAgain) {
   EXPECT_EQ(floor_plan_to_geojson(plan_of(planes())), floor_plan_to_geojson(plan_of(planes())));
-}
-
-TEST(FloorPlan, APersonsLabelGoesFirst) {
-  EXPECT_EQ(1u, plan_of(planes()).walls.size());
-  EXPECT_TRUE(plan_of(planes(), {{"floor", 1.0}, {"other furniture", 1.0}}).walls.empty());
-  EXPECT_EQ(1u, plan_of(planes(), {{"floor", 1.0}, {"our east wall", 1.0}}).walls.size());
 }
 
 }  // namespace

@@ -42,7 +42,7 @@ void ModelKeeper::add(const ReadyLine& line) {
 }
 
 void ModelKeeper::correct(const std::vector<StampedPose>& trajectory) {
-  annotations_.of(planes());  // notes where annotated planes are
+  annotations_.note_ribbons(planes());
   Before before{modeler_.planes_as_built(), planes(), modeler_.trajectory()};
   correction_ms_ = 1e3 * wall_seconds_of([&] { modeler_.correct(trajectory); });
   before_ = std::move(before);
@@ -85,7 +85,7 @@ void ModelKeeper::forget_history() {
 std::string ModelKeeper::file_bytes(const std::string& map_frame) {
   std::vector<Section> additions = additions_;
   if (!annotations_.by_id().empty()) {
-    annotations_.of(planes());  // notes where annotated planes are
+    annotations_.note_ribbons(planes());
     additions.push_back({kAnnotations, annotations_.to_text()});
   }
   return to_model_file(modeler_, map_frame, additions);
@@ -99,19 +99,19 @@ const std::vector<Plane>& ModelKeeper::planes() {
 
 const std::vector<PlaneLabel>& ModelKeeper::labels() {
   if (labels_version_ == version_) return labels_;
-  const std::vector<const Annotation*> annotations = annotations_.of(planes());
-  semantics_ = semantics_of(planes_, positions_of(modeler_.trajectory()));
-  labels_ = plane_labels(planes_, semantics_, annotations);
+  const std::vector<Plane>& planes = this->planes();
+  annotations_.note_ribbons(planes);
+  const std::vector<const Annotation*> annotations = annotations_.of(planes);
+  const Semantics by_rules = semantics_of(planes, positions_of(modeler_.trajectory()));
+  labels_ = plane_labels(planes, by_rules, annotations);
+  semantics_ = with_annotations(by_rules, annotations);
   labels_version_ = version_;
   return labels_;
 }
 
 const Rooms& ModelKeeper::rooms() {
   if (rooms_version_ == version_) return rooms_;
-  labels();  // and semantics_
-  RoomConfig config;
-  config.stripe_gap_m = stripe_gap_m_;
-  rooms_ = rooms_of(planes_, semantics_, config);
+  rooms_ = rooms_of(planes(), semantics(), stripe_gap_m_);
   rooms_version_ = version_;
   return rooms_;
 }
@@ -120,6 +120,8 @@ const Semantics& ModelKeeper::semantics() {
   labels();  // of the same version
   return semantics_;
 }
+
+FloorPlan ModelKeeper::floor_plan() { return floor_plan_of(planes(), semantics(), rooms()); }
 
 void ModelKeeper::annotate(std::int64_t id, const std::string& label, const std::string& note) {
   annotations_.set(id, label, note, planes());

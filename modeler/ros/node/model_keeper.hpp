@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "modeler/floor_plan/floor_plan.hpp"
 #include "modeler/model_file/model_file.hpp"
 #include "modeler/modeler.hpp"
 #include "modeler/ros/intake/line_intake.hpp"
@@ -54,10 +55,12 @@ class ModelKeeper {
 
   /// Returns the labels of planes(), in their order.
   const std::vector<PlaneLabel>& labels();
-  /// Returns the rooms of planes().
-  const Rooms& rooms();
-  /// Returns what the rules say about planes(), see semantics_of().
+  /// Returns what planes() are by the rules and, before them, by people, see with_annotations().
   const Semantics& semantics();
+  /// Returns the rooms of planes() by semantics().
+  const Rooms& rooms();
+  /// Returns the floor plan of planes(), semantics() and rooms().
+  FloorPlan floor_plan();
   /// Annotates a plane of planes(). Throws as Annotations::set().
   void annotate(std::int64_t id, const std::string& label, const std::string& note);
   /// Returns what people have said about the planes.

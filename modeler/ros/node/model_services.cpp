@@ -87,10 +87,8 @@ Save::Response save_response(const std::string& name, ModelKeeper& keeper,
       return page_of(keeper, {name, frame, run, "ribbon_mapper " + version(), "", parameters});
     };
     const auto exports = [&](const ModelLabel& label, FileSet& files) {
-      const std::vector<PlaneLabel>& labels = keeper.labels();
-      add_meshes(planes, label, labels, mesh_formats, name, files);
-      add_floor_plan(labelled_floor_plan(planes, keeper.semantics(), labels), label,
-                     name + "_floor_plan", files);
+      add_meshes(planes, label, keeper.labels(), mesh_formats, name, files);
+      add_floor_plan(keeper.floor_plan(), label, name + "_floor_plan", files);
     };
     for (const std::filesystem::path& file :
          save_model(planes, directory, name, keeper.stripe_gap_m(), frame,

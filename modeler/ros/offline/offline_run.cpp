@@ -163,11 +163,6 @@ std::vector<StampedPose> final_poses(const OfflineOptions& options, Modelling& m
   return {};
 }
 
-std::vector<Plane> with_outlines(std::vector<Plane> planes, const SurfaceConfig& config) {
-  for (Plane& plane : planes) plane.outlines = outlines_of(plane, config);
-  return planes;
-}
-
 ModelMaps maps_of(ModelKeeper& keeper, const MapsConfig& config) {
   const std::vector<Plane>& planes = keeper.planes();
   const PosedObservations observations = keeper.modeler().observations().posed();
@@ -239,7 +234,7 @@ OfflineRun model_bags(const OfflineOptions& options, const ProgressCallback& pro
   run.planes_after = keeper.planes();
   run.labels = keeper.labels();
   run.rooms = keeper.rooms();
-  run.floor_plan = labelled_floor_plan(run.planes_after, keeper.semantics(), run.labels);
+  run.floor_plan = keeper.floor_plan();
   run.stripe_gap_m = config.surface.stripe_gap_m;
   run.frame = options.bag.intake.frames.map;
   run.parameters = changed_keys(config);

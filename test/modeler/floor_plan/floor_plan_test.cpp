@@ -40,7 +40,8 @@ std::vector<Plane> turned(std::vector<Plane> planes, double angle_rad) {
 FloorPlan plan_of(std::vector<Plane> planes) {
   for (Plane& plane : planes) plane.outlines = outlines_of(plane, {});
   const Semantics semantics = semantics_of(planes, {});
-  return floor_plan_of(planes, semantics, rooms_of(planes, semantics));
+  return floor_plan_of(planes, semantics,
+                       rooms_of(planes, semantics, SurfaceConfig{}.stripe_gap_m));
 }
 
 /// Returns a wall of 4 x 0.1 m along x from the origin on, with both faces, and floor before it.

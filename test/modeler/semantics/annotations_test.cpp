@@ -24,7 +24,7 @@ Plane plane_of(std::int64_t id, std::vector<std::uint32_t> ribbons) {
   return plane;
 }
 
-Texts labels_of(Annotations& annotations, const std::vector<Plane>& planes) {
+Texts labels_of(const Annotations& annotations, const std::vector<Plane>& planes) {
   Texts labels;
   for (const Annotation* annotation : annotations.of(planes)) {
     labels.push_back(annotation == nullptr ? "" : annotation->label);
@@ -41,6 +41,18 @@ TEST(Annotations, GoBeforeTheRules) {
   EXPECT_EQ("my desk", labels[1].text);
   EXPECT_EQ("do not move", labels[1].note);
   EXPECT_EQ(1.0, labels[1].confidence);
+}
+
+TEST(Annotations, AreTakenForRoomsAndFloorPlanIfTheyAreLabelsOfTheRules) {
+  const std::vector<Plane> planes{plane_of(1, {0}), plane_of(2, {1})};
+  const Semantics by_rules = semantics_of(planes, {});
+  Annotations annotations;
+  annotations.set(1, "my carpet", "", planes);
+  annotations.set(2, "ceiling", "", planes);
+  const Semantics semantics = with_annotations(by_rules, annotations.of(planes));
+  EXPECT_EQ(by_rules.labels[0].label, semantics.labels[0].label);
+  EXPECT_EQ(Label::ceiling, semantics.labels[1].label);
+  EXPECT_EQ(1.0, semantics.labels[1].confidence);
 }
 
 TEST(Annotations, OfUnknownIdsAreRefusedWithThoseThatThereAre) {

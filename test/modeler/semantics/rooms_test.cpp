@@ -21,7 +21,7 @@ std::vector<Plane> two_rooms() {
 }
 
 Rooms rooms_in(const std::vector<Plane>& planes) {
-  return rooms_of(planes, semantics_of(planes, {}));
+  return rooms_of(planes, semantics_of(planes, {}), SurfaceConfig{}.stripe_gap_m);
 }
 
 TEST(Rooms, AreDividedAtADoorway) {
