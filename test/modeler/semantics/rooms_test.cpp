@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include "modeler/surface/surface_config.hpp"
 #include "test/modeler/semantics/rectangles.hpp"
 
 namespace ribbon_mapper {
