@@ -34,4 +34,4 @@ configure_package_config_file(${CMAKE_CURRENT_LIST_DIR}/ribbon_mapperConfig.cmak
 write_basic_package_version_file(${generated}/ribbon_mapperConfigVersion.cmake
   VERSION ${RIBBON_MAPPER_VERSION} COMPATIBILITY SameMinorVersion)
 install(FILES ${generated}/ribbon_mapperConfig.cmake ${generated}/ribbon_mapperConfigVersion.cmake
-  DESTINATION ${package_dir} ${component})
+  ${CMAKE_CURRENT_LIST_DIR}/modules/FindGEOS.cmake DESTINATION ${package_dir} ${component})

@@ -6,7 +6,7 @@ if(NOT DEFINED RIBBON_MAPPER_ROS OR RIBBON_MAPPER_ROS OR RIBBON_MAPPER_ROS STREQ
     diagnostic_updater geometry_msgs message_generation nav_msgs rosbag roscpp rosgraph_msgs
     sensor_msgs std_msgs std_srvs tf2_eigen tf2_ros topic_tools visualization_msgs)
 endif()
-set(libraries catkin=catkin CLI11=libcli11-dev)
+set(libraries catkin=catkin)
 if(catkin_FOUND)
   list(APPEND libraries
     diagnostic_updater=libdiagnostic-updater-dev geometry_msgs=libgeometry-msgs-dev

@@ -2,9 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "eval/results/label_report.hpp"
 
-#include <nlohmann/json.hpp>
-
 #include "eval/results/format.hpp"
+#include "modeler/text/ordered_json.hpp"
 
 namespace ribbon_mapper::eval {
 
@@ -31,8 +30,8 @@ std::string label_table(const LabelConfusion& confusion) {
                 100.0 * confusion.right_share(), confusion.compared_m2(), confusion.no_truth_m2);
 }
 
-nlohmann::ordered_json label_json(const LabelConfusion& confusion) {
-  nlohmann::ordered_json matrix = nlohmann::ordered_json::object();
+Json label_json(const LabelConfusion& confusion) {
+  Json matrix = Json::object();
   for (const Label truth : kLabels) {
     for (const Label label : kLabels) {
       const double area_m2 = confusion.at(truth, label);

@@ -3,10 +3,10 @@
 #pragma once
 
 #include <map>
-#include <nlohmann/json_fwd.hpp>
 #include <string>
 
 #include "eval/semantics/label_confusion.hpp"
+#include "modeler/text/ordered_json.hpp"
 
 namespace ribbon_mapper::eval {
 
@@ -16,7 +16,7 @@ std::string label_table(const LabelConfusion& confusion);
 
 /// Converts a matrix to JSON: {"right", "compared_m2", "no_truth_m2", "confusion_m2": {true label:
 /// {label of the model: area}}}. Labels and areas of zero are left out.
-nlohmann::ordered_json label_json(const LabelConfusion& confusion);
+Json label_json(const LabelConfusion& confusion);
 
 /// Returns the matrix of label_json() from figures whose nested keys are joined by dots, as in
 /// LoggedRun::figures, below `prefix`.

@@ -4,7 +4,6 @@
 
 #include <array>
 #include <cstdio>
-#include <nlohmann/json.hpp>
 
 #include "eval/metrics/outline_iou.hpp"
 #include "eval/results/report_page.hpp"
@@ -16,6 +15,7 @@
 #include "modeler/io/tum.hpp"
 #include "modeler/surface/outline.hpp"
 #include "modeler/surface/surface_config.hpp"
+#include "modeler/text/ordered_json.hpp"
 
 namespace ribbon_mapper::eval {
 namespace {
@@ -36,19 +36,18 @@ std::string hex(const Colour& colour) {
 
 /// Returns the figure's input beside the planes: outlines of the world and colours of the planes.
 std::string figure_data(const Results& results, const std::string& run_id) {
-  nlohmann::ordered_json outlines = nlohmann::ordered_json::array();
+  Json outlines = Json::array();
   for (const auto& polygon : results.world_outlines) {
-    auto& points = outlines.emplace_back(nlohmann::ordered_json::array());
+    auto& points = outlines.emplace_back(Json::array());
     for (const Eigen::Vector2d& point : polygon) points.push_back({point.x(), point.y()});
   }
-  nlohmann::ordered_json colours = nlohmann::ordered_json::object();
+  Json colours = Json::object();
   for (const auto* planes : {&results.models.noisy, &results.models.corrected}) {
     for (const Plane& plane : *planes) {
       colours[std::to_string(plane.id)] = hex(plane_colour(plane.id));
     }
   }
-  const nlohmann::ordered_json data{
-      {"run", run_id}, {"world_outlines", outlines}, {"colours", colours}};
+  const Json data{{"run", run_id}, {"world_outlines", outlines}, {"colours", colours}};
   return data.dump() + "\n";
 }
 

@@ -6,12 +6,12 @@
 #include <array>
 #include <cmath>
 #include <limits>
-#include <nlohmann/json.hpp>
 
 #include "eval/metrics/statistics.hpp"
 #include "eval/results/format.hpp"
 #include "eval/results/label_report.hpp"
 #include "modeler/program/version.hpp"
+#include "modeler/text/ordered_json.hpp"
 
 namespace ribbon_mapper::eval {
 namespace {
@@ -99,8 +99,8 @@ std::string group_label(const std::vector<LoggedRun>& group, const std::vector<R
   return seed >= 2 ? label.substr(0, seed - 2) : "";
 }
 
-nlohmann::ordered_json distribution_json(const std::vector<LoggedRun>& group) {
-  nlohmann::ordered_json json = nlohmann::ordered_json::object();
+Json distribution_json(const std::vector<LoggedRun>& group) {
+  Json json = Json::object();
   for (const auto& entry : group.front().figures) {
     const auto at = [&](double share) { return quantile_of(group, entry.first, share); };
     json[entry.first] = {{"min", at(0.0)},
@@ -113,9 +113,9 @@ nlohmann::ordered_json distribution_json(const std::vector<LoggedRun>& group) {
 }
 
 /// Returns the summary of a group with the conditions as in runs.jsonl.
-nlohmann::ordered_json group_json(const std::vector<LoggedRun>& group) {
-  const auto line = nlohmann::ordered_json::parse(group.front().line);
-  nlohmann::ordered_json json;
+Json group_json(const std::vector<LoggedRun>& group) {
+  const auto line = Json::parse(group.front().line);
+  Json json;
   for (const char* key : {"world", "route", "config", "noise", "tilt", "closure", "caster", "beams",
                           "speed_m_s", "deskew", "drift"}) {
     json[key] = line.at(key);
@@ -177,11 +177,11 @@ std::size_t label_width_of(const std::vector<RunOptions>& runs) {
 }
 
 std::string series_summary_to_json(const std::vector<LoggedRun>& runs, const std::string& command) {
-  nlohmann::ordered_json json{{"command", command},
-                              {"version", version()},
-                              {"runs", runs.size()},
-                              {"right", right_count(runs)}};
-  json["groups"] = nlohmann::ordered_json::array();
+  Json json{{"command", command},
+            {"version", version()},
+            {"runs", runs.size()},
+            {"right", right_count(runs)}};
+  json["groups"] = Json::array();
   for (const auto& group : groups_of(runs)) json["groups"].push_back(group_json(group));
   return json.dump(2) + "\n";
 }

@@ -2,16 +2,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "eval/results/summary.hpp"
 
-#include <nlohmann/json.hpp>
-
 #include "eval/results/format.hpp"
 #include "eval/results/label_report.hpp"
 #include "modeler/program/version.hpp"
+#include "modeler/text/ordered_json.hpp"
 
 namespace ribbon_mapper::eval {
 namespace {
-
-using Json = nlohmann::ordered_json;
 
 Json to_json(const std::optional<double>& value) { return value ? Json(*value) : Json(nullptr); }
 

@@ -4,14 +4,12 @@
 
 #include <algorithm>
 #include <cmath>
-#include <nlohmann/json.hpp>
 
 #include "modeler/semantics/rooms.hpp"
+#include "modeler/text/ordered_json.hpp"
 
 namespace ribbon_mapper {
 namespace {
-
-using Json = nlohmann::ordered_json;
 
 constexpr auto kReplace = Json::error_handler_t::replace;  // of bytes that are no UTF-8
 

@@ -2,12 +2,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "modeler/io/planes_json.hpp"
 
-#include <nlohmann/json.hpp>
+#include "modeler/text/ordered_json.hpp"
 
 namespace ribbon_mapper {
 namespace {
-
-using Json = nlohmann::ordered_json;
 
 constexpr auto kReplace = Json::error_handler_t::replace;  // of bytes that are no UTF-8
 

@@ -4,16 +4,15 @@
 
 #include <cmath>
 #include <cstdint>
-#include <nlohmann/json.hpp>
 #include <string>
 #include <vector>
 
 #include "modeler/report/report.hpp"
+#include "modeler/text/ordered_json.hpp"
 
 namespace ribbon_mapper {
 
 /// A JSON value that keeps the order of its keys.
-using Json = nlohmann::ordered_json;
 
 /// Returns a value rounded to 1 / `parts`.
 inline double rounded(double value, double parts) { return std::round(value * parts) / parts; }

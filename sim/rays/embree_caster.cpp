@@ -2,7 +2,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "sim/rays/embree_caster.hpp"
 
+#if RIBBON_MAPPER_EMBREE == 3
 #include <embree3/rtcore.h>
+#else
+#include <embree4/rtcore.h>
+#endif
 
 #include <Eigen/Geometry>
 #include <cmath>
@@ -55,6 +59,16 @@ RTCRayHit query_of(const Ray& ray, double max_range_m) {
   return query;
 }
 
+void intersect(RTCScene scene, RTCRayHit& query) {
+#if RIBBON_MAPPER_EMBREE == 3
+  RTCIntersectContext context;
+  rtcInitIntersectContext(&context);
+  rtcIntersect1(scene, &context, &query);
+#else
+  rtcIntersect1(scene, &query);
+#endif
+}
+
 class EmbreeCaster : public RayCaster {
  public:
   explicit EmbreeCaster(const std::vector<Triangle>& triangles)
@@ -78,9 +92,7 @@ class EmbreeCaster : public RayCaster {
   std::optional<Hit> cast(const Ray& ray, double max_range_m) const override {
     RTCRayHit query = query_of(ray, max_range_m);
     while (true) {
-      RTCIntersectContext context;
-      rtcInitIntersectContext(&context);
-      rtcIntersect1(scene_.get(), &context, &query);
+      intersect(scene_.get(), query);
       if (query.hit.geomID == RTC_INVALID_GEOMETRY_ID) return std::nullopt;
       const Surface& surface = surfaces_[query.hit.primID];
       const double range_m = surface.range_m(ray);

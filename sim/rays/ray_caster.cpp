@@ -15,7 +15,7 @@ namespace {
 void require_available(RayCasterKind kind) {
   if (is_available(kind)) return;
   throw std::invalid_argument(
-      "ray caster 'embree' is not in this build: install Embree 3 (package libembree-dev on Debian "
+      "ray caster 'embree' is not in this build: install Embree (package libembree-dev on Debian "
       "12), configure and build again, or use bullet");
 }
 

@@ -41,7 +41,7 @@ class RayCaster {
 /// The library that casts the rays.
 enum class RayCasterKind {
   bullet,  ///< Bullet in double precision: the default, always available
-  embree,  ///< Embree 3: several times faster, available if it was found when building
+  embree,  ///< Embree 3 or 4: several times faster, available if it was found when building
 };
 
 /// Returns the kind called `name`: bullet or embree. Throws std::invalid_argument that lists the

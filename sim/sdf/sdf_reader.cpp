@@ -18,10 +18,17 @@ using Geometry = decltype(Shape::geometry);
 
 constexpr std::size_t kLongestText = 600;
 
-Vector3d to_eigen(const ignition::math::Vector3d& v) { return {v.X(), v.Y(), v.Z()}; }
+// libsdformat 13 took its mathematics to another namespace.
+#if SDF_MAJOR_VERSION < 13
+namespace math = ignition::math;
+#else
+namespace math = gz::math;
+#endif
 
-Pose to_pose(const ignition::math::Pose3d& pose) {
-  const ignition::math::Quaterniond& q = pose.Rot();
+Vector3d to_eigen(const math::Vector3d& v) { return {v.X(), v.Y(), v.Z()}; }
+
+Pose to_pose(const math::Pose3d& pose) {
+  const math::Quaterniond& q = pose.Rot();
   Pose result = Pose::Identity();
   result.linear() = Eigen::Quaterniond(q.W(), q.X(), q.Y(), q.Z()).normalized().toRotationMatrix();
   result.translation() = to_eigen(pose.Pos());
@@ -76,17 +83,21 @@ class Reader {
   }
 
   sdf::Root parsed() const {
+    sdf::Root root;
+#if SDF_MAJOR_VERSION < 11
+    const sdf::Errors errors = root.LoadSdfString(seen_.xml);
+#else
     sdf::ParserConfig config;
     config.SetWarningsPolicy(sdf::EnforcementPolicy::WARN);
-    sdf::Root root;
     const sdf::Errors errors = root.LoadSdfString(seen_.xml, config);
+#endif
     if (!errors.empty()) fail(joined(errors) + " (check it with `ign sdf --check`)");
     return root;
   }
 
   template <typename Element>
   Pose pose_of(const Element& element) const {
-    ignition::math::Pose3d pose;
+    math::Pose3d pose;
     const sdf::Errors errors = element.SemanticPose().Resolve(pose);
     if (!errors.empty()) fail("pose of " + quoted(element.Name()) + ": " + joined(errors));
     return to_pose(pose);
@@ -98,8 +109,14 @@ class Reader {
     const Pose T_map_model = by_state ? *by_state : T_map_parent * pose_of(model);
     for (std::uint64_t i = 0; i < model.LinkCount(); ++i)
       add(*model.LinkByIndex(i), T_map_model, name);
+#if SDF_MAJOR_VERSION < 10
+    if (model.Element()->HasElement("model"))
+      fail("model " + quoted(name) +
+           " has models in it, which need libsdformat 10 or newer; write " + "them beside it");
+#else
     for (std::uint64_t i = 0; i < model.ModelCount(); ++i)
       add(*model.ModelByIndex(i), T_map_model, name + "::");
+#endif
   }
 
   void add(const sdf::Link& link, const Pose& T_map_model, const std::string& model) {

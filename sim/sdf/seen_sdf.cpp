@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "sim/sdf/seen_sdf.hpp"
 
+#include <sdf/sdf_config.h>
+
 #include <algorithm>
 #include <memory>
 #include <stdexcept>
@@ -16,6 +18,7 @@ namespace {
 
 using tinyxml2::XMLElement;
 
+constexpr const char* kVersion = SDF_MAJOR_VERSION < 12 ? "1.7" : "1.9";
 constexpr std::size_t kMostIncludes = 10'000;
 constexpr std::size_t kMostCollisions = 100'000;
 
@@ -59,7 +62,7 @@ class Builder {
   SeenSdf build() {
     XMLElement& sdf = *xml_.NewElement("sdf");
     xml_.InsertEndChild(&sdf);
-    sdf.SetAttribute("version", "1.9");
+    sdf.SetAttribute("version", kVersion);
     XMLElement& world = add_named(sdf, "world", "default");
     const SdfScope scope{files_.world().path(), files_.world(), ""};
     for_each_child(scope.file.root(), [&](const XMLElement& child) {

@@ -17,7 +17,8 @@ constexpr const char* kLabelElement = "ribbon_mapper:label";
 
 /// What a laser sees of an SDF file.
 struct SeenSdf {
-  std::string xml;  ///< SDF 1.9: a world of models with links, collisions and frames, no more
+  std::string xml;  ///< SDF as new as the library reads, up to 1.9: a world of models with links,
+                    ///< collisions and frames, no more
   SdfState state;   ///< where models and links are instead
   SdfNotes notes;   ///< what is not in `xml`
 };

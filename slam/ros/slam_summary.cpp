@@ -4,15 +4,13 @@
 
 #include <iomanip>
 #include <locale>
-#include <nlohmann/json.hpp>
 #include <sstream>
 
 #include "modeler/program/version.hpp"
+#include "modeler/text/ordered_json.hpp"
 
 namespace ribbon_mapper::slam {
 namespace {
-
-using Json = nlohmann::ordered_json;
 
 double real_time_factor(const SlamSummary& summary) {
   return summary.wall_s > 0.0 ? summary.recording_s / summary.wall_s : 0.0;

@@ -30,7 +30,7 @@ _CORE = {
 _METHOD = [f"modeler/{name}" for name in _CORE]
 _MODELER = _METHOD + ["modeler"]
 _TOOLS = _MODELER + ["modeler/calibration", "modeler/storage", "modeler/io", "modeler/map_files",
-                     "modeler/mesh", "modeler/exports", "modeler/model_file", "modeler/report",
+                     "modeler/text", "modeler/mesh", "modeler/exports", "modeler/model_file", "modeler/report",
                      "modeler/program"]
 _ROS = ["modeler/ros/messages", "modeler/ros/intake", "modeler/ros/node"]
 _SIM = ["sim/shapes", "sim/sdf", "sim/world", "sim/rays", "sim/robot", "sim/tour", "sim/truth"]
@@ -42,12 +42,13 @@ ROOMS = {
     "modeler": Room(_METHOD, ["Eigen"]),
     "modeler/calibration": Room(_MODELER, ["Eigen"]),
     "modeler/storage": Room([], ["sys"]),
-    "modeler/text": Room([], []),
+    "modeler/text": Room([], ["nlohmann"]),
     "modeler/io": Room(_MODELER + ["modeler/calibration", "modeler/storage", "modeler/text"],
                        ["Eigen", "nlohmann", "octomap", "yaml-cpp"]),
     "modeler/map_files": Room(_MODELER + ["modeler/storage", "modeler/io"], ["Eigen"]),
     "modeler/mesh": Room(_MODELER + ["modeler/storage", "modeler/io"], ["Eigen", "GL", "assimp"]),
-    "modeler/exports": Room(_MODELER + ["modeler/storage", "modeler/io", "modeler/mesh"],
+    "modeler/exports": Room(_MODELER + ["modeler/storage", "modeler/io", "modeler/mesh",
+                                        "modeler/text"],
                             ["Eigen", "nlohmann"]),
     "modeler/model_file": Room(_MODELER + ["modeler/calibration", "modeler/storage", "modeler/io",
                                            "modeler/text"], ["Eigen"]),
@@ -80,7 +81,7 @@ ROOMS = {
     "slam/node": Room(_TOOLS + _ROS + ["slam/base_laser", "slam/lines", "slam/tilting"], ANY),
     # The simulator has its own beam geometry, so that an error in one cannot hide in the other.
     "sim/shapes": Room(_POSE, ["Eigen", "assimp", "sys"]),
-    "sim/rays": Room(_POSE + ["sim/shapes"], ["Eigen", "BulletCollision", "embree3"]),
+    "sim/rays": Room(_POSE + ["sim/shapes"], ["Eigen", "BulletCollision", "embree3", "embree4"]),
     "sim/sdf": Room(_POSE + ["sim/shapes", "modeler/text"], ["Eigen", "sdf"]),
     "sim/world": Room(_POSE + ["sim/shapes", "sim/sdf", "sim/rays"], ["Eigen", "BulletCollision"]),
     "sim/robot": Room(_POSE + ["sim/shapes", "sim/rays", "sim/world"], ["Eigen"]),

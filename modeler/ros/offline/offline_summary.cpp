@@ -4,15 +4,13 @@
 
 #include <iomanip>
 #include <locale>
-#include <nlohmann/json.hpp>
 #include <sstream>
 
 #include "modeler/program/version.hpp"
+#include "modeler/text/ordered_json.hpp"
 
 namespace ribbon_mapper {
 namespace {
-
-using Json = nlohmann::ordered_json;
 
 Json counts(const std::map<std::string, std::size_t>& by_reason) {
   return by_reason.empty() ? Json::object() : Json(by_reason);
