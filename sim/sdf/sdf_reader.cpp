@@ -109,14 +109,8 @@ class Reader {
     const Pose T_map_model = by_state ? *by_state : T_map_parent * pose_of(model);
     for (std::uint64_t i = 0; i < model.LinkCount(); ++i)
       add(*model.LinkByIndex(i), T_map_model, name);
-#if SDF_MAJOR_VERSION < 10
-    if (model.Element()->HasElement("model"))
-      fail("model " + quoted(name) +
-           " has models in it, which need libsdformat 10 or newer; write " + "them beside it");
-#else
     for (std::uint64_t i = 0; i < model.ModelCount(); ++i)
       add(*model.ModelByIndex(i), T_map_model, name + "::");
-#endif
   }
 
   void add(const sdf::Link& link, const Pose& T_map_model, const std::string& model) {
