@@ -3,6 +3,8 @@
 SHELL := /bin/bash
 .DEFAULT_GOAL := help
 JOBS ?= $(shell nproc)
+# Half of the tests wait for a ROS master most of the time.
+TESTS = $(shell echo $$((2 * $(JOBS))))
 GROUP :=
 # Debian's Python, which ROS belongs to, whichever other is in the path.
 PYTHON := -DPYTHON_EXECUTABLE=/usr/bin/python3 -DPython3_EXECUTABLE=/usr/bin/python3
@@ -16,7 +18,7 @@ build: ## install what is needed, configure and build
 
 test: GROUP = test
 test: build ## all tests
-	ctest --test-dir build -j $(JOBS) --output-on-failure
+	cd build && ctest -j $(TESTS) --output-on-failure
 
 # A port of its own, so that a ROS master which runs already is left alone.
 demo: export ROS_MASTER_URI = http://localhost:11411
@@ -57,7 +59,7 @@ sanitize: ## all tests without a ROS master under AddressSanitizer and UBSan, in
 	cmake -S . -B build/sanitize -DCMAKE_BUILD_TYPE=Debug \
 	  -DRIBBON_MAPPER_SANITIZE=address,$(UNDEFINED) $(PYTHON)
 	cmake --build build/sanitize -j $(JOBS)
-	$(SANITIZER_OPTIONS) ctest --test-dir build/sanitize -E '$(WITHOUT)' --output-on-failure
+	cd build/sanitize && $(SANITIZER_OPTIONS) ctest -j $(JOBS) -E '$(WITHOUT)' --output-on-failure
 
 # Series of runs, the laser and the node slam have threads.
 tsan: GROUP = test
@@ -65,7 +67,7 @@ tsan: ## what has threads under ThreadSanitizer, in build/tsan
 	./install_dependencies $(GROUP)
 	cmake -S . -B build/tsan -DCMAKE_BUILD_TYPE=Debug -DRIBBON_MAPPER_SANITIZE=thread $(PYTHON)
 	cmake --build build/tsan -j $(JOBS) --target eval_test live_slam_test sim_test experiment
-	$(SANITIZER_OPTIONS) ctest --test-dir build/tsan --output-on-failure \
+	cd build/tsan && $(SANITIZER_OPTIONS) ctest --output-on-failure \
 	  -R '^(eval_test|live_slam_test|sim_test|series_command_test|sweep_command_test)$$'
 
 clean: ## forget everything that was built

@@ -1,12 +1,16 @@
 # How tests are added.
 include_guard(GLOBAL)
 
-# ribbon_mapper_test(name SOURCES a.cpp ... LIBRARIES lib ...): one gtest binary, one ctest entry.
+# ribbon_mapper_test(name [LONG] SOURCES a.cpp ... LIBRARIES lib ...): one gtest binary, one ctest
+# entry. LONG ones start first, so that no core waits for the last one.
 function(ribbon_mapper_test name)
-  cmake_parse_arguments(TEST "" "" "SOURCES;LIBRARIES" ${ARGN})
+  cmake_parse_arguments(TEST "LONG" "" "SOURCES;LIBRARIES" ${ARGN})
   add_executable(${name} ${TEST_SOURCES})
   target_link_libraries(${name} PRIVATE ${TEST_LIBRARIES} ribbon_mapper_options
     GTest::gtest GTest::gmock GTest::gtest_main)
   target_compile_definitions(${name} PRIVATE PROJECT_DIR="${RIBBON_MAPPER_ROOT}")
   add_test(NAME ${name} COMMAND ${name})
+  if(TEST_LONG)
+    set_tests_properties(${name} PROPERTIES COST 100)
+  endif()
 endfunction()
