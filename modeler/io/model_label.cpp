@@ -8,6 +8,7 @@
 #include <cmath>
 #include <cstdint>
 
+#include "modeler/geometry/coefficients.hpp"
 #include "modeler/io/planes_json.hpp"
 
 namespace ribbon_mapper {
@@ -51,7 +52,7 @@ std::string label_lines(const ModelLabel& label, const std::string& prefix) {
   if (!label.run.empty()) lines += prefix + "run " + label.run + "\n";
   if (label.origin.isZero(0.0)) return lines;
   lines += prefix + "origin";  // whole metres
-  for (const double coordinate : label.origin) {
+  for (const double coordinate : coefficients_of(label.origin)) {
     lines += " " + std::to_string(static_cast<std::int64_t>(coordinate));
   }
   return lines + "\n";

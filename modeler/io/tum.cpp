@@ -13,6 +13,7 @@
 #include <sstream>
 #include <stdexcept>
 
+#include "modeler/geometry/coefficients.hpp"
 #include "modeler/geometry/pose_defect.hpp"
 #include "modeler/text/number_text.hpp"
 
@@ -33,8 +34,9 @@ std::string to_line(const StampedPose& pose) {
   std::string line = seconds_text(pose.stamp);
   Eigen::Quaterniond q(pose.T_map_base.linear());
   if (q.w() < 0.0) q.coeffs() = -q.coeffs();
-  for (const double value : pose.T_map_base.translation()) line += " " + fixed_text(value, 9);
-  for (const double value : q.coeffs()) line += " " + fixed_text(value, 12);
+  for (const double value : coefficients_of(pose.T_map_base.translation()))
+    line += " " + fixed_text(value, 9);
+  for (const double value : coefficients_of(q.coeffs())) line += " " + fixed_text(value, 12);
   return line + "\n";
 }
 

@@ -4,6 +4,7 @@
 
 #include <cmath>
 
+#include "modeler/geometry/coefficients.hpp"
 #include "modeler/model_file/pose_matrix.hpp"
 #include "modeler/scan/scan_line.hpp"
 
@@ -94,7 +95,7 @@ NoReturnFilter::Evidence read_evidence(ByteReader& from) {
 }  // namespace
 
 void write_waiting(const ScanFrontEnd::Parts& parts, ByteWriter& to) {
-  for (const double coordinate : parts.odom_origin) to.number(coordinate);
+  for (const double coordinate : coefficients_of(parts.odom_origin)) to.number(coordinate);
   to.integer(std::uint64_t{parts.lines.size()});
   for (const ScanFrontEnd::Parts::Line& line : parts.lines) {
     to.integer(static_cast<std::uint8_t>(line.averaged_lines));
@@ -107,9 +108,10 @@ void write_waiting(const ScanFrontEnd::Parts& parts, ByteWriter& to) {
 
 ScanFrontEnd::Parts read_waiting(ByteReader& from) {
   ScanFrontEnd::Parts parts;
-  for (double& coordinate : parts.odom_origin) {
-    coordinate = from.number<double>();
-    if (!(std::abs(coordinate) < kLargestOrigin_m)) from.fail("has an origin that cannot be");
+  for (int i = 0; i < 3; ++i) {
+    parts.odom_origin[i] = from.number<double>();
+    if (!(std::abs(parts.odom_origin[i]) < kLargestOrigin_m))
+      from.fail("has an origin that cannot be");
   }
   parts.lines.resize(from.count(kLineBytes));
   for (std::size_t i = 0; i < parts.lines.size(); ++i) {

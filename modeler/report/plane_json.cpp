@@ -4,6 +4,7 @@
 
 #include <array>
 
+#include "modeler/geometry/coefficients.hpp"
 #include "modeler/report/packed_cells.hpp"
 #include "modeler/surface/outline.hpp"
 
@@ -27,7 +28,7 @@ Json ring_on(const Plane& plane, const std::vector<Eigen::Vector3d>& ring) {
 Json ring_in_map(const std::vector<Eigen::Vector3d>& ring) {
   Json json = Json::array();
   for (const Eigen::Vector3d& point : ring) {
-    for (const double value : point) json.push_back(in_millimetres(value));
+    for (const double value : coefficients_of(point)) json.push_back(in_millimetres(value));
   }
   return json;
 }

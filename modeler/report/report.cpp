@@ -6,6 +6,7 @@
 #include <cmath>
 #include <utility>
 
+#include "modeler/geometry/coefficients.hpp"
 #include "modeler/report/page.hpp"
 #include "modeler/report/plane_json.hpp"
 
@@ -62,7 +63,7 @@ std::string Report::trajectory_json(const std::string& name,
     const std::size_t index = i + step < poses.size() ? i : poses.size() - 1;  // the last one stays
     const StampedPose& pose = poses[index];
     times.push_back(std::llround(1e3 * to_seconds(pose.stamp - *start_)));
-    for (const double value : pose.T_map_base.translation()) {
+    for (const double value : coefficients_of(pose.T_map_base.translation())) {
       points.push_back(in_millimetres(value));
     }
     headings.push_back(in_millimetres(yaw_of(pose.T_map_base)));
@@ -92,7 +93,8 @@ void Report::add_room(const ReportRoom& room) {
             {"outlines_mm", outlines_in_map(room.outlines)}};
   if (room.centre) {
     json["centre_mm"] = Json::array();
-    for (const double value : *room.centre) json["centre_mm"].push_back(in_millimetres(value));
+    for (const double value : coefficients_of(*room.centre))
+      json["centre_mm"].push_back(in_millimetres(value));
   }
   rooms_.push_back(text_of(json));
 }

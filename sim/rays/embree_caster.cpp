@@ -117,7 +117,7 @@ class EmbreeCaster : public RayCaster {
     unsigned count = 0;
     for (const Triangle& triangle : triangles)
       for (const Vector3d& corner : triangle.corners_m) {
-        for (const double coordinate : corner) *vertices++ = static_cast<float>(coordinate);
+        for (int i = 0; i < 3; ++i) *vertices++ = static_cast<float>(corner[i]);
         *indices++ = count++;
       }
     rtcCommitGeometry(geometry.get());

@@ -121,8 +121,10 @@ class Reader {
       const sdf::Collision& collision = *link.CollisionByIndex(i);
       Shape shape{link_name + "::" + collision.Name(), T_map_link * pose_of(collision),
                   geometry_of(*collision.Geom(), link_name + "::" + collision.Name()), ""};
-      if (const auto label = collision.Element()->FindElement(kLabelElement))
+      if (collision.Element()->HasElement(kLabelElement)) {
+        const auto label = collision.Element()->GetElement(kLabelElement);
         shape.label = label->GetValue() ? label->Get<std::string>() : "";
+      }
       std::visit([&](auto& s) { enlarge(s, seen_.state.scale(model)); }, shape.geometry);
       shapes_.push_back(std::move(shape));
     }

@@ -35,8 +35,8 @@ std::vector<TrajectorySegment> random_walks(double planar, double spatial) {
     const std::vector<Pose> steps(40, planar_pose(0.02, 0.0, i % 2 == 0 ? 0.02 : -0.01));
     Pose truth = Pose::Identity();
     for (const Pose& step : steps) {
-      Vector6 error = noise.variances(step).cwiseSqrt();
-      for (double& e : error) e *= normal(random);
+      const auto noisy = [&](double sigma) { return sigma * normal(random); };
+      const Vector6 error = noise.variances(step).cwiseSqrt().unaryExpr(noisy);
       truth = moved(truth * step, error);
     }
     segments.push_back(segment_of(steps, truth));

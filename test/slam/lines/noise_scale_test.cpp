@@ -23,8 +23,8 @@ class Drive {
     std::vector<Pose> truth{Pose::Identity()};
     for (int i = 0; i < lines; ++i) {
       observations_.add_line({{Time(25'000'000) * i, Pose::Identity()}, T_odom_base}, {});
-      Vector6 error = noise.variances(step).cwiseSqrt();
-      for (double& value : error) value *= normal(random);
+      const auto noisy = [&](double sigma) { return sigma * normal(random); };
+      const Vector6 error = noise.variances(step).cwiseSqrt().unaryExpr(noisy);
       T_odom_base = T_odom_base * moved(step, error);
       truth.push_back(truth.back() * step);
     }

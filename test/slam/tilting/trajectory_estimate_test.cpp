@@ -80,9 +80,16 @@ double planar_nees_of(const TrajectoryEstimate& estimate, const Lines& lines) {
   for (std::size_t i = 1; i < trajectory.size(); ++i) {
     const Vector6 error =
         error_between(trajectory[i].T_map_base, T_odom_map * T_map_base.at(trajectory[i].stamp));
-    const std::array<int, 3> planar{0, 1, 5};
-    const Eigen::Vector3d e = error(planar);
-    sum += e.dot(covariances[i](planar, planar).ldlt().solve(e)) / 3.0;
+    constexpr std::array<int, 3> kPlanar{0, 1, 5};
+    Eigen::Vector3d e;
+    Eigen::Matrix3d covariance;
+    for (int row = 0; row < 3; ++row) {
+      e[row] = error[kPlanar[row]];
+      for (int column = 0; column < 3; ++column) {
+        covariance(row, column) = covariances[i](kPlanar[row], kPlanar[column]);
+      }
+    }
+    sum += e.dot(covariance.ldlt().solve(e)) / 3.0;
   }
   return sum / static_cast<double>(trajectory.size() - 1);
 }
