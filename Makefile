@@ -1,4 +1,4 @@
-# The newcomer's commands. Each installs what it needs (Debian 12, as root or by sudo) and works as
+# The newcomer's commands. Each installs what it needs (Debian 11 to 13, as root or by sudo) and works as
 # the very first one after the clone.
 SHELL := /bin/bash
 .DEFAULT_GOAL := help
@@ -25,10 +25,7 @@ demo: export ROS_MASTER_URI = http://localhost:11411
 demo: export ROS_HOSTNAME = localhost
 demo: GROUP = $(if $(findstring rviz:=true,$(ARGS)),rviz)
 demo: build ## a simulated flat, corrected by the truth, then by the slam; results in results/
-	source build/devel/setup.bash && roslaunch ribbon_mapper loop_closure.launch \
-	  output:=$(CURDIR)/results/loop_closure $(ARGS)
-	source build/devel/setup.bash && roslaunch ribbon_mapper loop_closure.launch correction:=slam \
-	  output:=$(CURDIR)/results/loop_closure_slam $(ARGS)
+	source build/devel/setup.bash && tools/demo $(ARGS)
 
 # The real recordings with their presets.
 bench: RECORDINGS = --bag test/data/recordings/room_scan1.bag --bag-config config/room_scan.yaml \

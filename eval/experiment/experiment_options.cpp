@@ -8,6 +8,7 @@
 #include <sstream>
 #include <stdexcept>
 
+#include "modeler/program/version.hpp"
 #include "sim/rays/ray_caster.hpp"
 #include "sim/robot/hokuyo.hpp"
 #include "sim/robot/tilt_profile.hpp"
@@ -209,6 +210,7 @@ std::variant<ExperimentOptions, int> parse_experiment_options(int argc, const ch
   Lists lists;
   RunOptions common;
   CLI::App app(kDescription, "experiment");
+  app.set_version_flag("--version", version());
   app.footer(kFooter);
   add_list_options(app, lists);
   add_run_options(app, common);

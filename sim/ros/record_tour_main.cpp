@@ -8,6 +8,7 @@
 
 #include "modeler/io/tum.hpp"
 #include "modeler/program/run_program.hpp"
+#include "modeler/program/version.hpp"
 #include "modeler/storage/atomic_file.hpp"
 #include "sim/ros/tour_recorder.hpp"
 #include "sim/sdf/resource_finder.hpp"
@@ -87,6 +88,7 @@ int main(int argc, char** argv) {
   return run_program("record_tour", [&] {
     Options options;
     CLI::App app("Records a simulated tour as a bag, as the robot would.", "record_tour");
+    app.set_version_flag("--version", version());
     add_options(app, options);
     try {
       app.parse(argc, argv);

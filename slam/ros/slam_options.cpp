@@ -4,6 +4,7 @@
 
 #include <CLI/CLI.hpp>
 
+#include "modeler/program/version.hpp"
 #include "modeler/ros/bag_check/bag_check_options.hpp"
 
 namespace ribbon_mapper::slam {
@@ -26,6 +27,7 @@ std::variant<SlamOptions, int> parse_slam_options(int argc, const char* const* a
   SlamOptions options;
   std::string tf_drop_frames;
   CLI::App app(kDescription, "offline_slam");
+  app.set_version_flag("--version", version());
   app.footer(kFooter);
   app.add_option("--bag", options.bags, "bags, read as one in the order of time")->required();
   app.add_option("--output", options.output, "folder for the results")->capture_default_str();

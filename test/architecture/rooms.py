@@ -92,6 +92,7 @@ ROOMS = {
     "sim/ros": Room(_SIM + _POSE + ["modeler/ros/messages/message_conversions.hpp",
                                     "modeler/ros/node/strict_parameters.hpp",
                                     "modeler/program/run_program.hpp",
+                                    "modeler/program/version.hpp",
                                     "modeler/storage/atomic_file.hpp", "modeler/io/tum.hpp"], ANY),
     "eval/metrics": Room(_TOOLS + _SIM, ["Eigen"]),
     "eval/segmentation": Room(_TOOLS + _SIM + ["eval/metrics"], ["Eigen"]),

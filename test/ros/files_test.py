@@ -8,6 +8,7 @@ import re
 import unittest
 import xml.etree.ElementTree
 
+import roslaunch.arg_dump
 import roslaunch.config
 import roslaunch.xmlloader
 import yaml
@@ -47,6 +48,31 @@ class Files(unittest.TestCase):
             loaded(file, ['correction:=magic'])
         with_rviz = loaded(file, ['rviz:=true'])
         self.assertIn('rviz', {node.name for node in with_rviz.nodes})
+
+    def test_arguments_are_optional_and_documented_as_roslaunch_lists_them(self):
+        for file in shipped('launch/*.launch'):
+            arguments = roslaunch.arg_dump.get_args([file])
+            self.assertTrue(arguments, file)
+            for name, (doc, default) in arguments.items():
+                self.assertTrue(doc, f'{file}: {name} is undocumented')
+                self.assertTrue(default, f'{file}: {name} is listed as required')
+
+    def test_each_launch_of_a_world_takes_its_models_folders(self):
+        for file in shipped('launch/*.launch'):
+            if 'world' not in roslaunch.arg_dump.get_args([file]):
+                continue
+            parameters = loaded(file, ['model_path:=/a:/b', 'simulate:=true']).params
+            paths = {name: parameter.value for name, parameter in parameters.items()
+                     if name.endswith('/model_path')}
+            self.assertIn('/pr2_simulator/model_path', paths, file)
+            self.assertEqual(set(paths.values()), {'/a:/b'}, file)
+
+    def test_bags_may_be_relative_to_the_folder_of_the_command(self):
+        file = os.path.join(PACKAGE, 'launch/pr2_replay.launch')
+        player = next(node for node in loaded(file, ['bag:=a.bag /b/c.bag d.bag']).nodes
+                      if node.name == 'player')
+        here = os.environ['PWD']
+        self.assertEqual(player.args.split()[-3:], [f'{here}/a.bag', '/b/c.bag', f'{here}/d.bag'])
 
     def test_files_that_launch_files_name_exist(self):
         for file in shipped('launch/*.launch'):

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "modeler/ros/bag_check/bag_check_options.hpp"
 
+#include "modeler/program/version.hpp"
 #include "modeler/ros/messages/message_conversions.hpp"
 #include "modeler/ros/messages/transform_entry.hpp"
 
@@ -59,6 +60,7 @@ std::variant<BagCheckOptions, int> parse_bag_check_options(int argc, const char*
   BagCheckOptions options;
   std::string tf_drop_frames;
   CLI::App app(kDescription, "bag_check");
+  app.set_version_flag("--version", version());
   app.footer(kFooter);
   app.add_option("bag", options.bags, "bags, read as one in the order of time")->required();
   app.add_option("--config", options.config, "preset that the bag is judged by")

@@ -5,6 +5,7 @@
 #include <CLI/CLI.hpp>
 #include <stdexcept>
 
+#include "modeler/program/version.hpp"
 #include "modeler/ros/bag_check/bag_check_options.hpp"
 
 namespace ribbon_mapper {
@@ -62,6 +63,7 @@ std::variant<OfflineOptions, int> parse_offline_options(int argc, const char* co
   OfflineOptions options;
   std::string tf_drop_frames;
   CLI::App app(kDescription, "offline_modeler");
+  app.set_version_flag("--version", version());
   app.footer(kFooter);
   app.add_option("--bag", options.bags, "bags, read as one in the order of time");
   app.add_option(
