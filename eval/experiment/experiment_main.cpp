@@ -20,6 +20,7 @@
 #include "modeler/io/calibrated_preset.hpp"
 #include "modeler/program/figure.hpp"
 #include "modeler/program/installed_files.hpp"
+#include "modeler/program/interrupt.hpp"
 #include "modeler/program/progress_bar.hpp"
 #include "modeler/program/run_program.hpp"
 #include "modeler/storage/atomic_file.hpp"
@@ -38,13 +39,21 @@ void show_worlds(const std::vector<RunOptions>& runs) {
       std::fprintf(stderr, "%s", world_text(run).c_str());
 }
 
+/// Returns a callback that shows the progress, and stops the run if the program is asked to end.
+ProgressCallback shown_by(ProgressBar& bar) {
+  return [&bar](const Progress& progress) {
+    stop_if_interrupted();
+    bar.show(progress);
+  };
+}
+
 void run_one(const ExperimentOptions& options) {
   create_directory_for_files(options.output);  // fails before the tour rather than after it
   show_worlds(options.runs);
   Summary summary;
   {
     ProgressBar bar;
-    const Results results = make_run(options.runs.front(), [&](const Progress& p) { bar.show(p); });
+    const Results results = make_run(options.runs.front(), shown_by(bar));
     summary = results.summary;
     FileSet files = staged_results(results, options.output, options.mesh_formats);
     if (options.with_figure) draw_figure(Figure::before_after, files.folder(), options.output);
@@ -94,7 +103,14 @@ void make_missing_runs(const ExperimentOptions& options, RunLog& log) {
     if (!timings) throw std::runtime_error("timings.jsonl cannot be written; is the disk full?");
     return series_table_row(label_of(run, options.runs), parse_run_line(line), label_width);
   };
-  make_runs(missing, options.jobs, run_and_log, bar);
+  try {
+    make_runs(missing, options.jobs, run_and_log, bar);
+  } catch (const Interrupted&) {
+    const std::size_t kept = options.runs.size() - missing_runs(options, log).size();
+    throw Interrupted("interrupted, " + std::to_string(kept) + " of " +
+                      std::to_string(options.runs.size()) + " runs are kept in " +
+                      options.output.string() + "; the same command goes on");
+  }
 }
 
 void run_series(const ExperimentOptions& options) {
@@ -123,7 +139,7 @@ void calibrate(const ExperimentOptions& options) {
   std::optional<Calibration> calibration;
   {
     ProgressBar bar;
-    calibration = make_calibration(run, [&](const Progress& p) { bar.show(p); });
+    calibration = make_calibration(run, shown_by(bar));
   }
   const auto preset = options.output / "calibrated.yaml";
   write_file_atomically(preset,
@@ -134,6 +150,7 @@ void calibrate(const ExperimentOptions& options) {
 }  // namespace
 
 int main(int argc, char** argv) {
+  watch_interrupts();
   return run_program("experiment", [&] {
     const auto options = parse_experiment_options(argc, argv);
     if (const int* exit_code = std::get_if<int>(&options)) return *exit_code;

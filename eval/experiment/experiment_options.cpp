@@ -30,7 +30,7 @@ constexpr const char* kDescription =
 
 constexpr const char* kFooter =
     "Worlds, routes and presets are searched in the current folder, then in the package.\n"
-    "Exit codes: 0 success, 1 failure, 2 wrong usage.";
+    "Exit codes: 0 success, 1 failure, 2 wrong usage, 130 interrupted.";
 
 /// Lists as given on the command line; a series runs all their combinations.
 struct Lists {

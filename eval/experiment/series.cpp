@@ -9,6 +9,8 @@
 #include <optional>
 #include <thread>
 
+#include "modeler/program/interrupt.hpp"
+
 namespace ribbon_mapper::eval {
 namespace {
 
@@ -25,7 +27,9 @@ class RunQueue {
   }
 
   /// Shows the progress of the whole series, as if all runs were as long as run `index`.
+  /// Throws Interrupted if the program was asked to end.
   void show(std::size_t index, const Progress& progress) {
+    stop_if_interrupted();
     const std::lock_guard<std::mutex> lock(mutex_);
     progress_[index] = progress;
     Progress all = std::accumulate(progress_.begin(), progress_.end(), Progress());

@@ -20,6 +20,7 @@
 #include "modeler/io/model_label.hpp"
 #include "modeler/io/renamed_keys.hpp"
 #include "modeler/text/number_text.hpp"
+#include "modeler/text/yaml_error.hpp"
 
 namespace ribbon_mapper {
 namespace {
@@ -162,12 +163,13 @@ std::string config_to_yaml(const ModelerConfig& config) {
 ModelerConfig load_config(const std::string& path) {
   try {
     return read(path);
-  } catch (const YAML::BadFile&) {
-    throw std::invalid_argument(path + ": cannot be read: does the file exist?");
+  } catch (const YAML::BadFile& error) {
+    throw std::invalid_argument(path + ": " + defect_of(error));
   } catch (const std::ios_base::failure& error) {  // for example, the path is a folder
     throw std::invalid_argument(path + ": cannot be read: " + error.what());
   } catch (const YAML::Exception& error) {
-    throw std::invalid_argument(path + ": " + in_one_line(error.what()));
+    throw std::invalid_argument(path + ": " + in_one_line(defect_of(error)) +
+                                "; compare with config/pr2.yaml");
   } catch (const std::invalid_argument& error) {
     throw std::invalid_argument(path + ": " + error.what());
   }

@@ -8,6 +8,8 @@
 #include <exception>
 #include <iostream>
 
+#include "modeler/program/interrupt.hpp"
+
 namespace ribbon_mapper {
 namespace {
 
@@ -27,6 +29,10 @@ int run_program(const char* name, const std::function<int()>& work) {
     const char* reason = errno != 0 ? std::strerror(errno) : "an earlier write failed";
     std::fprintf(stderr, "%s: the standard output cannot be written: %s; send it elsewhere\n", name,
                  reason);
+  } catch (const Interrupted& interrupted) {
+    flush_output();
+    std::fprintf(stderr, "%s: %s\n", name, interrupted.what());
+    return kInterruptedExitCode;
   } catch (const std::exception& error) {
     std::fprintf(stderr, "%s: %s\n", name, error.what());
   }

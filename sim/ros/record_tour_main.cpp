@@ -7,6 +7,7 @@
 #include <cstdio>
 
 #include "modeler/io/tum.hpp"
+#include "modeler/program/progress_bar.hpp"
 #include "modeler/program/run_program.hpp"
 #include "modeler/program/version.hpp"
 #include "modeler/storage/atomic_file.hpp"
@@ -75,7 +76,13 @@ void run(Options& options) {
   std::fprintf(stderr, "%s; %s\n", world.content().c_str(), tour.view().c_str());
   for (const std::string& warning : world.warnings())
     std::fprintf(stderr, "warning: world %s: %s\n", options.world.c_str(), warning.c_str());
-  std::vector<StampedPose> truth = sim::record_tour(tour, options.recorder, options.bag);
+  std::vector<StampedPose> truth;
+  {
+    ProgressBar bar;
+    truth = sim::record_tour(tour, options.recorder, options.bag, [&](std::size_t lines) {
+      bar.show({lines, tour.line_count()});
+    });
+  }
   std::printf("%zu lines in %s\n", truth.size(), options.bag.c_str());
   if (options.truth.empty()) return;
   if (options.keyframe_step_m > 0.0) truth = sim::keyframes(truth, options.keyframe_step_m);

@@ -72,7 +72,9 @@ void record_base_scans(const Tour& tour, Time now, std::size_t& line, Recorder& 
   }
 }
 
-std::vector<StampedPose> record(Tour& tour, const RecorderOptions& options, Recorder& recorder) {
+std::vector<StampedPose> record(Tour& tour, const RecorderOptions& options,
+                                const std::function<void(std::size_t)>& on_line,
+                                Recorder& recorder) {
   std::vector<StampedPose> truth;
   recorder.write_transform("/tf_static", Time(0), kMount, kTiltLaserFrame, kMountToLaser);
   if (options.base_laser)
@@ -89,6 +91,7 @@ std::vector<StampedPose> record(Tour& tour, const RecorderOptions& options, Reco
       recorder.write("/tilt_scan", now,
                      scan_message(*scan, kTiltLaserFrame,
                                   stamp_of(stamp + from_seconds(options.stamp_error_s))));
+      if (on_line) on_line(truth.size());
     }
     if (options.base_laser) record_base_scans(tour, std::min(now, end), base_line, recorder);
   }
@@ -98,10 +101,11 @@ std::vector<StampedPose> record(Tour& tour, const RecorderOptions& options, Reco
 }  // namespace
 
 std::vector<StampedPose> record_tour(Tour& tour, const RecorderOptions& options,
-                                     const std::filesystem::path& bag) {
+                                     const std::filesystem::path& bag,
+                                     const std::function<void(std::size_t)>& on_line) {
   try {
     Recorder recorder(bag);
-    return record(tour, options, recorder);
+    return record(tour, options, on_line, recorder);
   } catch (const rosbag::BagException& error) {
     throw std::runtime_error("cannot write " + bag.string() + ": " + error.what());
   }

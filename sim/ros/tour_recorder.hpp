@@ -3,6 +3,7 @@
 #pragma once
 
 #include <filesystem>
+#include <functional>
 #include <vector>
 
 #include "modeler/geometry/pose.hpp"
@@ -21,9 +22,11 @@ struct RecorderOptions {
 /// Records a tour as the robot would and returns the true pose of the base at each line. Writes /tf
 /// (map at 30 Hz, odometry and tilt at 100 Hz), /tf_static, tilt_scan and base_scan. The tour
 /// starts at kTourStart. The same tour gives the same messages. Needs no master. Throws
-/// std::runtime_error if the file cannot be written.
+/// std::runtime_error if the file cannot be written. `on_line` is called after each line with
+/// the number of lines so far.
 std::vector<StampedPose> record_tour(Tour& tour, const RecorderOptions& options,
-                                     const std::filesystem::path& bag);
+                                     const std::filesystem::path& bag,
+                                     const std::function<void(std::size_t)>& on_line = {});
 
 /// Stamp of the start of a recorded tour.
 constexpr Time kTourStart = std::chrono::seconds(1000);

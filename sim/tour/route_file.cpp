@@ -5,6 +5,7 @@
 #include <set>
 #include <stdexcept>
 
+#include "modeler/text/yaml_error.hpp"
 #include "sim/tour/route.hpp"
 
 namespace ribbon_mapper::sim {
@@ -65,6 +66,9 @@ Route Route::load(const std::string& path) {
     return {number(root["speed"], "speed"), number(root["turn_rate"], "turn_rate"),
             waypoints.points_m, root["rest"] ? number(root["rest"], "rest") : 0.0,
             waypoints.heights_m};
+  } catch (const YAML::Exception& error) {
+    throw std::runtime_error("route " + path + ": " + defect_of(error) +
+                             "; compare with worlds/apartment.route.yaml");
   } catch (const std::exception& error) {
     throw std::runtime_error("route " + path + ": " + error.what());
   }

@@ -42,7 +42,7 @@ ROOMS = {
     "modeler": Room(_METHOD, ["Eigen"]),
     "modeler/calibration": Room(_MODELER, ["Eigen"]),
     "modeler/storage": Room([], ["sys"]),
-    "modeler/text": Room([], ["nlohmann"]),
+    "modeler/text": Room([], ["nlohmann", "yaml-cpp"]),
     "modeler/io": Room(_MODELER + ["modeler/calibration", "modeler/storage", "modeler/text"],
                        ["Eigen", "nlohmann", "octomap", "yaml-cpp"]),
     "modeler/map_files": Room(_MODELER + ["modeler/storage", "modeler/io"], ["Eigen"]),
@@ -91,6 +91,7 @@ ROOMS = {
     # How messages and parameters are read, and how files are written, is one thing for all nodes.
     "sim/ros": Room(_SIM + _POSE + ["modeler/ros/messages/message_conversions.hpp",
                                     "modeler/ros/node/strict_parameters.hpp",
+                                    "modeler/program/progress_bar.hpp",
                                     "modeler/program/run_program.hpp",
                                     "modeler/program/version.hpp",
                                     "modeler/storage/atomic_file.hpp", "modeler/io/tum.hpp"], ANY),

@@ -8,6 +8,7 @@
 #include <set>
 
 #include "modeler/program/installed_files.hpp"
+#include "modeler/program/version.hpp"
 
 namespace ribbon_mapper::eval {
 namespace {
@@ -118,6 +119,13 @@ TEST(ExperimentOptions, HelpEndsWithZero) {
   testing::internal::CaptureStdout();
   const auto result = parsed({"--help"});
   EXPECT_THAT(testing::internal::GetCapturedStdout(), HasSubstr("--seeds"));
+  EXPECT_EQ(std::get<int>(result), 0);
+}
+
+TEST(ExperimentOptions, VersionEndsWithZero) {
+  testing::internal::CaptureStdout();
+  const auto result = parsed({"--version"});
+  EXPECT_EQ(testing::internal::GetCapturedStdout(), version() + "\n");
   EXPECT_EQ(std::get<int>(result), 0);
 }
 

@@ -39,15 +39,16 @@ class SeriesCommand(unittest.TestCase):
     def content(self, name, file='runs.jsonl'):
         return (self.folder / name / file).read_text()
 
-    def begin_and_kill(self, name):
-        """Starts a series and kills it at some moment after its first run."""
+    def begin_and_kill(self, name, number=signal.SIGKILL):
+        """Starts a series and ends it by a signal after its first run. Returns exit code and stderr."""
         process = subprocess.Popen([EXPERIMENT, *ROOM, *RUNS, '--output', str(self.folder / name)],
-                                   stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
+                                   stdout=subprocess.DEVNULL, stderr=subprocess.PIPE, text=True)
         end = time.monotonic() + 60.0
         while lines_in(self.folder / name) < 1 and time.monotonic() < end:
             time.sleep(0.01)
-        process.send_signal(signal.SIGKILL)
-        process.wait()
+        process.send_signal(number)
+        said = process.communicate()[1]
+        return process.returncode, said
 
     def test_an_interrupted_series_ends_in_the_same_bytes(self):
         self.series('whole')
@@ -60,6 +61,27 @@ class SeriesCommand(unittest.TestCase):
         self.assertEqual(self.content('whole').count('\n'), 6)
         summaries = [json.loads(self.content(name, 'summary.json')) for name in ('whole', 'parts')]
         self.assertEqual(summaries[0]['groups'], summaries[1]['groups'])
+
+    def test_ctrl_c_says_what_is_kept(self):
+        code, said = self.begin_and_kill('parts', signal.SIGINT)
+        self.assertEqual(130, code)
+        done = lines_in(self.folder / 'parts')
+        self.assertIn(f'interrupted, {done} of 6 runs are kept in {self.folder}/parts; the same command '
+                      'goes on', said)
+        self.assertIn(f'{done} of 6 runs are done already', self.series('parts'))
+
+    def test_ctrl_c_of_one_run_writes_nothing(self):
+        output = self.folder / 'one'
+        process = subprocess.Popen([EXPERIMENT, *ROOM, '--output', str(output)],
+                                   stdout=subprocess.DEVNULL, stderr=subprocess.PIPE, text=True)
+        for line in process.stderr:
+            if '10 %' in line:
+                break
+        process.send_signal(signal.SIGINT)
+        self.assertIn('interrupted, nothing was written', process.stderr.read())
+        self.assertEqual(130, process.wait())
+        self.assertEqual([], list(output.iterdir()))
+        process.stderr.close()
 
     def test_no_run_is_repeated(self):
         self.series('whole')

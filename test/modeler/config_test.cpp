@@ -228,7 +228,8 @@ TEST_F(ConfigFile, WithLongNamesIsRefusedInFewWords) {
 TEST_F(ConfigFile, WithoutSectionsAndKeysIsRefused) {
   expect_complaint("- 1\n- 2\n", {"sections with keys"});
   expect_complaint("just words", {"sections with keys"});
-  expect_complaint("surface: {cell_size_m: 0.1", {});
+  expect_complaint("surface: {cell_size_m: 0.1", {"line 1, column", "no YAML", "config/pr2.yaml"});
+  expect_complaint("surface:\n  cell_size_m: [0.1\nscan: 2", {"line 3, column"});
   expect_complaint("surface: {cell_size_m: 0.1}\nsurface: {cell_size_m: 0.2}", {"given twice"});
   EXPECT_NE(std::string::npos, complaint_about(folder / "none.yaml").find("does the file exist"));
   EXPECT_NE("", complaint_about(folder));

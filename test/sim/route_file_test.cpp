@@ -9,6 +9,7 @@
 namespace ribbon_mapper::sim {
 namespace {
 
+using testing::AllOf;
 using testing::HasSubstr;
 
 class RouteFile : public testing::Test {
@@ -40,6 +41,13 @@ TEST_F(RouteFile, IsRead) {
   ASSERT_EQ(route.waypoints().size(), 2U);
   EXPECT_EQ(route.waypoints()[1], Eigen::Vector2d(3.5, -1.0));
   EXPECT_FALSE(route.closed());
+}
+
+TEST_F(RouteFile, ThatIsNoYamlIsRefusedWithThePlace) {
+  EXPECT_THAT(error_of("speed: 0.25\nwaypoints: [[0, 0], [3.5\nrest: 1"),
+              AllOf(HasSubstr("line 3, column"), HasSubstr("no YAML"),
+                    HasSubstr("worlds/apartment.route.yaml")));
+  EXPECT_THROW(Route::load((directory_.path() / "none.yaml").string()), std::runtime_error);
 }
 
 TEST_F(RouteFile, TheRestIsOptional) {

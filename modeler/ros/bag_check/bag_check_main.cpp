@@ -3,6 +3,8 @@
 //
 // Checks whether a bag can be mapped: see `bag_check --help`.
 
+#include <unistd.h>
+
 #include <cstdio>
 #include <variant>
 
@@ -15,6 +17,15 @@
 #include "modeler/ros/bag_check/time_offset.hpp"
 #include "modeler/storage/atomic_file.hpp"
 
+namespace {
+
+/// Says what takes its time, to a person.
+void say(const char* what) {
+  if (isatty(STDERR_FILENO) == 1) std::fprintf(stderr, "%s ...\n", what);
+}
+
+}  // namespace
+
 int main(int argc, char** argv) {
   using namespace ribbon_mapper;
   return run_program("bag_check", [&] {
@@ -24,8 +35,12 @@ int main(int argc, char** argv) {
     ros::Time::init();
     const std::string preset = find_installed_file(options.config).string();
     const ModelerConfig config = load_config(preset);
+    say("reading the scans and transforms");
     BagReport report = check_bags(options.bags, options.bag, config);
-    if (report.can_be_mapped()) report_time_offset(options.bags, options.bag, preset, report);
+    if (report.can_be_mapped()) {
+      say("comparing both for an offset of their clocks");
+      report_time_offset(options.bags, options.bag, preset, report);
+    }
     std::fputs(report.text().c_str(), stdout);
     if (!options.proposed_preset.empty()) {
       const std::string text = proposed_preset(options.bags, options.bag, config);

@@ -7,6 +7,7 @@
 #include <cstdio>
 #include <string>
 
+#include "modeler/program/interrupt.hpp"
 #include "modeler/program/process_cost.hpp"
 #include "modeler/program/progress_bar.hpp"
 #include "modeler/program/run_program.hpp"
@@ -24,7 +25,10 @@ void run(const OfflineOptions& options, const std::string& command) {
   OfflineRun run;
   {
     ProgressBar bar;
-    run = model_bags(options, [&](const Progress& progress) { bar.show(progress); });
+    run = model_bags(options, [&](const Progress& progress) {
+      stop_if_interrupted();
+      bar.show(progress);
+    });
   }
   const ProcessCost cost = process_cost();
   run.summary.wall_s = std::chrono::duration<double>(Clock::now() - start).count();
@@ -39,6 +43,7 @@ void run(const OfflineOptions& options, const std::string& command) {
 }  // namespace
 
 int main(int argc, char** argv) {
+  watch_interrupts();
   return run_program("offline_modeler", [&] {
     const auto options = parse_offline_options(argc, argv);
     if (const int* exit_code = std::get_if<int>(&options)) return *exit_code;

@@ -23,7 +23,7 @@ constexpr const char* kDescription =
 
 constexpr const char* kFooter =
     "Not sure what is in the bag? `bag_check FILE` lists it and reports what is wrong.\n"
-    "Exit code: 0 success, 1 failure, 2 wrong usage.";
+    "Exit code: 0 success, 1 failure, 2 wrong usage, 130 interrupted.";
 
 /// Returns what is wrong with a list of mesh formats; empty if nothing is.
 std::string defect_of(const std::string& mesh_formats) {
