@@ -84,7 +84,7 @@ class Planes(ModelerTest):
                     area = 0.5 * np.cross(ring, np.roll(ring, -1, 0)).sum(0) @ plane.normal
                     self.assertGreater(sign * area, 0.0)
                     area_m2 += area
-            self.assertTrue(0.9 < area_m2 / plane.area_m2 < 1.5)  # stripes are closed
+            self.assertTrue(0.9 * plane.area_m2 < area_m2 <= 30.0 + 1e-6)  # stripes are closed
 
     def test_json_and_text(self):
         planes = small_room.model().planes()
