@@ -64,8 +64,10 @@ class SameBytes(unittest.TestCase):
                                  ribbon_mapper.Modeler(PRESET))
         modeler.correct(*ribbon_mapper.read_tum(truth))
         results = self.folder / "results"
-        subprocess.run([offline_modeler, "--bag", bag, "--trajectory", truth, "--config", PRESET,
-                        "--output", results], check=True, stdout=subprocess.DEVNULL)
+        run = subprocess.run([offline_modeler, "--bag", bag, "--trajectory", truth, "--config",
+                              PRESET, "--output", results], text=True, stdout=subprocess.PIPE,
+                             stderr=subprocess.STDOUT)
+        self.assertEqual(0, run.returncode, run.stdout)
         self.assertEqual((results / "model.ribbons").read_bytes(), self.model_file(modeler))
         planes = [line for line in (results / "planes_after.json").read_text().splitlines(True)
                   if not line.startswith('"run": ')]
