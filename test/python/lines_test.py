@@ -81,7 +81,7 @@ class Test(unittest.TestCase):
         moved = STANDING + np.array([[0, 0, 0, 0.1]] + 3 * [[0, 0, 0, 0]])
         forth = self.bytes_with(T_odom_base=lambda p: [p, moved])
         back = self.bytes_with(T_odom_base=lambda p: [moved, p])
-        self.assertEqual(3, len({forth, back, self.bytes_with()}))
+        self.assertEqual(3, len({forth, back, self.bytes_with()}))  # the order: same_bytes_test.py
 
     def test_map_is_odom_unless_a_pose_in_map_is_given(self):
         moved = STANDING + np.array([[0, 0, 0, 0.1]] + 3 * [[0, 0, 0, 0]])

@@ -64,7 +64,10 @@ class Planes(ModelerTest):
 
     def test_cells_outlive_the_model(self):
         modeler = small_room.model()
-        cells = modeler.planes()[0].cells
+        plane = modeler.planes()[0]
+        cells = plane.cells
+        self.assertIs(plane, cells.base)  # which keeps it alive
+        del plane
         before = cells.copy()
         modeler.reset()
         del modeler
