@@ -30,7 +30,7 @@ these. In the last three cases, the model has not changed.)";
 
 LaserBeams new_laser(double angle_min_rad, double angle_increment_rad, double time_increment_s,
                      double range_min_m, double range_max_m) {
-  const LaserBeams laser{
+  LaserBeams laser{
       Time(0), angle_min_rad, angle_increment_rad, time_increment_s, range_min_m, range_max_m, {}};
   if (const auto defect = find_defect(laser, LinePoses{})) throw std::invalid_argument(*defect);
   return laser;
