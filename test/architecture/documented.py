@@ -8,7 +8,7 @@ import sys
 sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[2] / "tools"))
 import cpp_reader  # noqa: E402
 
-CODE = ["bench", "eval", "examples", "modeler", "sim", "slam"]
+CODE = ["bench", "eval", "examples", "modeler", "python", "sim", "slam"]
 MAX_LINES_OF_A_FUNCTION = 40
 
 

@@ -108,12 +108,15 @@ ROOMS = {
     "eval/ros": Room(_TOOLS + _ROS + _SIM + ["sim/ros", "eval/metrics", "eval/segmentation",
                                              "eval/results",
                                              "eval/experiment"], ANY),
+    # Python's door to the method: no ROS, no programs.
+    "python/bindings": Room(_MODELER + ["modeler/io", "modeler/model_file"], ["Eigen", "pybind11"]),
     "examples": Room(_TOOLS + _ROS + ["modeler/ros/bag", "examples"], ANY),
     "bench/": Room(_TOOLS + _SIM + ["modeler/ros/", "eval/", "bench/"], ANY),
 }
 
 MAX_LINES_OF_A_FILE = 300
 MAX_SOURCES_OF_A_FOLDER = 20
+TOPS = ["bench", "eval", "examples", "modeler", "python", "sim", "slam", "test", "tools"]
 SOURCES = {".hpp", ".cpp", ".py"}
 
 
@@ -153,7 +156,7 @@ def _wrong_includes_of(path, name):
 def wrong_files(root):
     """Returns one message for each source that is too long, unlicensed, or in a drawer."""
     messages = []
-    for top in ["bench", "eval", "examples", "modeler", "sim", "slam", "test", "tools"]:
+    for top in TOPS:
         for path in sorted((root / top).rglob("*")):
             name = path.relative_to(root)
             if path.is_dir() and re.fullmatch(r"utils?|common|helpers?|misc", path.name):
@@ -167,7 +170,7 @@ def full_folders(root):
     """Returns one message for each folder with too many sources, tests among them."""
     folders = collections.Counter(
         path.parent.relative_to(root).as_posix()
-        for top in ["bench", "eval", "examples", "modeler", "sim", "slam", "test", "tools"]
+        for top in TOPS
         for path in (root / top).rglob("*") if path.suffix in SOURCES)
     return [f"{folder} holds {count} sources, more than {MAX_SOURCES_OF_A_FOLDER}"
             for folder, count in sorted(folders.items()) if count > MAX_SOURCES_OF_A_FOLDER]

@@ -57,6 +57,8 @@ class PlantedDefects(planted.PlantedProject):
                 ("sim/ros/a.cpp", '"modeler/ros/intake/line_poses.hpp"'),
                 ("eval/metrics/a.cpp", '"eval/ros/tour_watch.hpp"'),
                 ("eval/metrics/a.cpp", '"bench/sections.hpp"'),
+                ("python/bindings/a.cpp", '"modeler/mesh/plane_mesh.hpp"'),
+                ("modeler/io/a.cpp", '"python/bindings/arrays.hpp"'),
                 ("bench/a/b.cpp", '"sim/ros/pacer.hpp"')]:
             with self.subTest(name=name, target=target):
                 self.plant(name, f"  #  include {target}\n")
