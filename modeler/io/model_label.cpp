@@ -8,8 +8,8 @@
 #include <cmath>
 #include <cstdint>
 
-#include "modeler/geometry/coefficients.hpp"
 #include "modeler/io/planes_json.hpp"
+#include "modeler/text/coefficients.hpp"
 
 namespace ribbon_mapper {
 namespace {

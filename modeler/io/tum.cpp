@@ -13,8 +13,8 @@
 #include <sstream>
 #include <stdexcept>
 
-#include "modeler/geometry/coefficients.hpp"
 #include "modeler/geometry/pose_defect.hpp"
+#include "modeler/text/coefficients.hpp"
 #include "modeler/text/number_text.hpp"
 
 namespace ribbon_mapper {

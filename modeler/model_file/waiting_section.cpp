@@ -4,9 +4,9 @@
 
 #include <cmath>
 
-#include "modeler/geometry/coefficients.hpp"
 #include "modeler/model_file/pose_matrix.hpp"
 #include "modeler/scan/scan_line.hpp"
+#include "modeler/text/coefficients.hpp"
 
 namespace ribbon_mapper {
 namespace {

@@ -4,9 +4,9 @@
 
 #include <array>
 
-#include "modeler/geometry/coefficients.hpp"
 #include "modeler/report/packed_cells.hpp"
 #include "modeler/surface/outline.hpp"
+#include "modeler/text/coefficients.hpp"
 
 namespace ribbon_mapper {
 namespace {

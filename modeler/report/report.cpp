@@ -6,9 +6,9 @@
 #include <cmath>
 #include <utility>
 
-#include "modeler/geometry/coefficients.hpp"
 #include "modeler/report/page.hpp"
 #include "modeler/report/plane_json.hpp"
+#include "modeler/text/coefficients.hpp"
 
 namespace ribbon_mapper {
 namespace {

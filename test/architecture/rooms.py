@@ -42,7 +42,7 @@ ROOMS = {
     "modeler": Room(_METHOD, ["Eigen"]),
     "modeler/calibration": Room(_MODELER, ["Eigen"]),
     "modeler/storage": Room([], ["sys"]),
-    "modeler/text": Room([], ["nlohmann", "yaml-cpp"]),
+    "modeler/text": Room([], ["Eigen", "nlohmann", "yaml-cpp"]),
     "modeler/io": Room(_MODELER + ["modeler/calibration", "modeler/storage", "modeler/text"],
                        ["Eigen", "nlohmann", "octomap", "yaml-cpp"]),
     "modeler/map_files": Room(_MODELER + ["modeler/storage", "modeler/io"], ["Eigen"]),
