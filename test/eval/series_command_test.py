@@ -83,6 +83,15 @@ class SeriesCommand(unittest.TestCase):
         self.assertEqual([], list(output.iterdir()))
         process.stderr.close()
 
+    def test_the_estimate_of_a_run_is_drawn(self):
+        subprocess.run([EXPERIMENT, *ROOM, '--closure', 'self', '--output', str(self.folder)],
+                       check=True, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
+        subprocess.run(['/usr/bin/python3', str(PACKAGE / 'eval/figures/estimate.py'),
+                        str(self.folder)], check=True)
+        svg = (self.folder / 'estimate.svg').read_text()
+        self.assertIn('cm RMS', svg)
+        self.assertTrue((self.folder / 'estimate.png').exists())
+
     def test_no_run_is_repeated(self):
         self.series('whole')
         before = self.content('whole', 'timings.jsonl')
