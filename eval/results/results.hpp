@@ -42,7 +42,7 @@ struct Results {
   std::vector<StampedPose> trajectory_truth;
   /// Polylines of the world in a top view [m], for the figure.
   std::vector<std::vector<Eigen::Vector2d>> world_outlines;
-  SurfaceConfig surface;  ///< the modeler's, if known
+  SurfaceConfig surface;  ///< the modeler's
   /// Keys of the modeler's configuration that are not at their defaults, if known.
   std::optional<std::vector<ChangedKey>> parameters;
 };

@@ -10,6 +10,7 @@
 #include "eval/results/trajectory_error.hpp"
 #include "eval/results/world_outlines.hpp"
 #include "eval/ros/tour_watch.hpp"
+#include "modeler/io/config_file.hpp"
 #include "modeler/program/figure.hpp"
 #include "modeler/program/installed_files.hpp"
 #include "modeler/program/run_program.hpp"
@@ -41,6 +42,7 @@ void print_error(const std::vector<StampedPose>& estimate, const std::vector<Sta
 struct NodeParameters {
   std::filesystem::path output;
   std::string world, model_path;
+  SurfaceConfig surface;  ///< of the modeler's preset
   bool visuals;
   double timeout_s;
   Summary summary;  ///< conditions of the run, from the launch file
@@ -56,7 +58,9 @@ struct NodeParameters {
     RunOptions& run = p.summary.run;
     run.world = portable_name(p.world).string();
     run.route = portable_name(from.text("route", "")).string();
-    run.config = portable_name(from.text("config", "")).string();
+    const std::string config = from.text("config", "");
+    if (!config.empty()) p.surface = load_config(find_installed_file(config).string()).surface;
+    run.config = portable_name(config).string();
     run.noise = run.tilt = run.caster = "";  // known to the simulator only
     run.seed = static_cast<std::uint64_t>(from.integer("seed", 0, 0, 2'000'000'000));
     run.drift = from.number("drift", 0.0, 0.0, 1000.0);
@@ -126,7 +130,7 @@ class ReportNode {
   }
 
   void write() {
-    Results results = watch_.results();
+    Results results = watch_.results(parameters_.surface);
     Summary& summary = results.summary;
     summary.command = parameters_.summary.command;
     summary.run = parameters_.summary.run;

@@ -141,12 +141,13 @@ GetModel::Response TourWatch::model(bool before_correction, bool as_built, bool 
   return request.response;
 }
 
-Results TourWatch::results() {
+Results TourWatch::results(const SurfaceConfig& surface) {
   const auto planes = [&](bool before_correction, bool as_built) {
     return planes_from(model(before_correction, as_built, true).planes);
   };
   const PlaneArray corrected = model(false, false, true).planes;
   Results results;
+  results.surface = surface;
   results.models = {planes(true, true), planes(true, false), planes(false, true),
                     planes_from(corrected)};
   results.labels = labels_from(corrected);

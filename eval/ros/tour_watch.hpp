@@ -40,9 +40,9 @@ class TourWatch {
   /// Describes what is still missing for results. Empty when everything has arrived.
   std::string missing() const;
 
-  /// Fetches the four models and the trajectories. Throws std::runtime_error if the modeler does
-  /// not answer.
-  Results results();
+  /// Fetches the four models and the trajectories; `surface` is the modeler's configuration. Throws
+  /// std::runtime_error if the modeler does not answer.
+  Results results(const SurfaceConfig& surface);
 
  private:
   void on_correction(const nav_msgs::Path& path);
