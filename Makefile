@@ -49,7 +49,7 @@ lint: ## format, names, bug-prone code and warnings of gcc and clang; below a mi
 
 # Not run under the sanitizers: nodes with a ROS master, budgets of instructions and allocations,
 # and what checks text. Eigen's assertions are on: the build type is Debug.
-WITHOUT := rostest|instruction_budget|allocations_test|architecture|documented|house_table|lint_test|pages|commands|ros_files
+WITHOUT := rostest|instruction_budget|allocations_test|architecture|documented|house_table|installed_test|lint_test|package_xml|pages|commands|ros_files
 UNDEFINED := undefined,float-cast-overflow,float-divide-by-zero
 sanitize: GROUP = test
 sanitize: ## all tests without a ROS master under AddressSanitizer and UBSan, in build/sanitize
