@@ -68,10 +68,19 @@ tsan: ## what has threads under ThreadSanitizer, in build/tsan
 	$(SANITIZER_OPTIONS) ctest --test-dir build/tsan --output-on-failure \
 	  -R '^(eval_test|live_slam_test|sim_test|series_command_test|sweep_command_test)$$'
 
+# In a copy of the sources, as dpkg writes beside them.
+deb: GROUP = deb
+deb: ## Debian packages, in build/deb
+	./install_dependencies $(GROUP)
+	rm -rf build/deb && mkdir -p build/deb/source
+	tar -c --exclude-vcs --exclude=./build --exclude=./devel --exclude=./results . | tar -x -C build/deb/source
+	cd build/deb/source && DEB_BUILD_OPTIONS=parallel=$(JOBS) dpkg-buildpackage -us -uc -b
+	lintian --fail-on error build/deb/*.changes
+
 clean: ## forget everything that was built
 	rm -rf build devel
 
 help: ## this list
 	@grep -E '^[a-z]+:.*##' Makefile | sed 's/:.*##/\t/'
 
-.PHONY: build test demo bench lint sanitize tsan clean help
+.PHONY: build test demo bench lint sanitize tsan deb clean help

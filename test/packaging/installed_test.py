@@ -50,8 +50,11 @@ def is_program(path):
 
 
 def faults_of_libraries(path, env):
-    """Returns the lines of ldd that say that a library is missing or comes from the build."""
-    lines = run('ldd', str(path), env=env).splitlines()
+    """Returns the lines of ldd that say that a library is missing or comes from the build.
+
+    LD_LIBRARY_PATH, which setup.bash sets, is left out: it would hide a wrong RPATH.
+    """
+    lines = run('ldd', str(path), env={**env, 'LD_LIBRARY_PATH': ''}).splitlines()
     return [line for line in lines if 'not found' in line or str(BUILD) in line]
 
 
@@ -127,8 +130,8 @@ class Installed(unittest.TestCase):
     def test_a_program_without_its_library_is_noticed(self):
         moved = self.elsewhere / 'modeler'
         shutil.copy(self.bin / 'modeler', moved)
+        self.assertIn('libribbon_mapper_core', ''.join(faults_of_libraries(moved, self.env)))
         env = {**self.env, 'LD_LIBRARY_PATH': ''}
-        self.assertIn('libribbon_mapper_core', ''.join(faults_of_libraries(moved, env)))
         self.assertFalse(starts(moved, env, self.elsewhere))
 
     def test_no_file_names_the_source_or_the_build(self):
@@ -171,6 +174,14 @@ class Installed(unittest.TestCase):
         self.run_elsewhere(self.bin / 'offline_modeler', '--bag', 'room.bag', '--output', 'room',
                            '--config', 'config/installed_pr2.yaml', '--figure')
         self.assertTrue((self.elsewhere / 'room/model_views.png').is_file())
+
+    def test_each_file_is_in_one_package_of_debian(self):
+        lists = [path.read_text().split() for path in (SOURCE / 'debian').glob('*.install')]
+        packaged = sorted(name for each in lists for name in each)
+        for folder in ['lib', 'share']:
+            start = f'usr/{folder}/ribbon_mapper/'
+            self.assertEqual([name[len(start):] for name in packaged if name.startswith(start)],
+                             sorted(path.name for path in (self.prefix / start[4:]).iterdir()))
 
     def test_messages_are_there_for_python(self):
         code = 'import ribbon_mapper.msg as m, ribbon_mapper.srv; print(m.__file__, m.PlaneArray())'

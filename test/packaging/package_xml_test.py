@@ -10,6 +10,7 @@ import unittest
 
 try:
     import yaml
+    from catkin_pkg.changelog import get_changelog_from_path
     from catkin_pkg.package import InvalidPackage, parse_package
 except ImportError:
     sys.stderr.write('skipped: missing catkin\n')
@@ -107,14 +108,18 @@ class PackageXml(unittest.TestCase):
         debian = yaml.safe_load(DEBIAN_DATABASE.read_text())
         self.assertLessEqual(set(KEYS['ros']['all']), set(debian))
 
+    def test_packages_of_debian_have_the_same_version(self):
+        first = (PROJECT / 'debian/changelog').read_text().splitlines()[0]
+        self.assertRegex(first, rf'^ribbon-mapper \({re.escape(self.package.version)}\) ')
+
     def test_changelog(self):
-        """REP 132: a heading per release; what is to come, if anything, is on top."""
-        headings = re.findall(r'^(Forthcoming|\d+\.\d+\.\d+ \(\d{4}-\d\d-\d\d\))\n-+$',
-                              (PROJECT / 'CHANGELOG.rst').read_text(), re.MULTILINE)
-        self.assertTrue(headings)
-        self.assertNotIn('Forthcoming', headings[1:])
-        if headings[0] != 'Forthcoming':
-            self.assertTrue(headings[0].startswith(self.package.version + ' '))
+        """REP 132: it can be read, and its newest release is this version or an earlier one."""
+        releases = get_changelog_from_path(str(PROJECT / 'CHANGELOG.rst'), 'ribbon_mapper')
+        versions = [version for version, _, _ in releases.foreach_version()]
+        self.assertTrue(versions)
+        as_numbers = [tuple(map(int, version.split('.'))) for version in versions]
+        self.assertEqual(as_numbers, sorted(as_numbers))
+        self.assertLessEqual(as_numbers[-1], tuple(map(int, self.package.version.split('.'))))
 
 
 if __name__ == '__main__':
