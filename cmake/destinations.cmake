@@ -13,9 +13,9 @@ else()
   set(RIBBON_MAPPER_SHARE_DIR share/ribbon_mapper)
 endif()
 
-# The targets lie beside the configuration that find_package() reads: catkin's, which Debian's
-# catkin places among the libraries if the prefix is /usr, or ours.
-if(NOT RIBBON_MAPPER_HAS_ROS OR CMAKE_INSTALL_PREFIX STREQUAL "/usr")
+# The targets lie beside the configuration that find_package() reads: ours, or catkin's, which is
+# among the libraries where those have a folder per architecture (Debian's catkin, prefix /usr).
+if(NOT RIBBON_MAPPER_HAS_ROS OR NOT RIBBON_MAPPER_LIB_DIR STREQUAL "lib")
   set(RIBBON_MAPPER_CMAKE_DIR ${RIBBON_MAPPER_LIB_DIR}/cmake/ribbon_mapper)
 else()
   set(RIBBON_MAPPER_CMAKE_DIR ${RIBBON_MAPPER_SHARE_DIR}/cmake)
