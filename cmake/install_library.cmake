@@ -5,7 +5,7 @@ include(CMakePackageConfigHelpers)
 # The include root is ours alone, so that #include "modeler/modeler.hpp" works and nothing collides.
 install(DIRECTORY ${RIBBON_MAPPER_ROOT}/modeler DESTINATION include/ribbon_mapper
   FILES_MATCHING PATTERN "*.hpp" PATTERN "ros" EXCLUDE PATTERN "program" EXCLUDE
-  PATTERN "build*" EXCLUDE)
+  PATTERN "page" EXCLUDE PATTERN "build*" EXCLUDE)
 
 # ribbon_mapper_install(core targets...): the targets as ribbon_mapper::NAME of one component.
 function(ribbon_mapper_install name)
