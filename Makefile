@@ -48,7 +48,7 @@ lint: ## format, names, bug-prone code and warnings of gcc and clang; below a mi
 
 # Not run under the sanitizers: nodes with a ROS master, budgets of instructions and allocations,
 # and what checks text. Eigen's assertions are on: the build type is Debug.
-WITHOUT := rostest|instruction_budget|allocations_test|architecture|documented|house_table|lint_test|pages|commands|ros_files
+WITHOUT := rostest|instruction_budget|allocations_test|architecture|documented|house_table|installed_test|lint_test|package_xml|pages|commands|ros_files
 UNDEFINED := undefined,float-cast-overflow,float-divide-by-zero
 sanitize: GROUP = test
 sanitize: ## all tests without a ROS master under AddressSanitizer and UBSan, in build/sanitize
@@ -67,10 +67,19 @@ tsan: ## what has threads under ThreadSanitizer, in build/tsan
 	cd build/tsan && $(SANITIZER_OPTIONS) ctest --output-on-failure \
 	  -R '^(eval_test|live_slam_test|sim_test|series_command_test|sweep_command_test)$$'
 
+# In a copy of the sources, as dpkg writes beside them.
+deb: GROUP = deb
+deb: ## Debian packages, in build/deb
+	./install_dependencies $(GROUP)
+	rm -rf build/deb && mkdir -p build/deb/source
+	tar -c --exclude-vcs --exclude=./build --exclude=./devel --exclude=./results . | tar -x -C build/deb/source
+	cd build/deb/source && DEB_BUILD_OPTIONS=parallel=$(JOBS) dpkg-buildpackage -us -uc -b
+	lintian --fail-on error build/deb/*.changes
+
 clean: ## forget everything that was built
 	rm -rf build devel
 
 help: ## this list
 	@grep -E '^[a-z]+:.*##' Makefile | sed 's/:.*##/\t/'
 
-.PHONY: build test demo bench lint sanitize tsan clean help
+.PHONY: build test demo bench lint sanitize tsan deb clean help

@@ -1,5 +1,6 @@
 # The parts of the project that need libraries of their own, and whether those are there.
 include_guard(GLOBAL)
+list(INSERT CMAKE_MODULE_PATH 0 ${CMAKE_CURRENT_LIST_DIR}/modules)  # libraries by one name each
 
 # Sets `result` to whether `library` is found: a CMake package, or a module as pkg-config:name.
 function(ribbon_mapper_find library result)

@@ -2,7 +2,6 @@
 include_guard(GLOBAL)
 
 get_filename_component(RIBBON_MAPPER_ROOT ${CMAKE_CURRENT_LIST_DIR}/.. ABSOLUTE)
-list(INSERT CMAKE_MODULE_PATH 0 ${CMAKE_CURRENT_LIST_DIR}/modules)
 
 if(NOT CMAKE_BUILD_TYPE)
   set(CMAKE_BUILD_TYPE Release)

@@ -13,7 +13,7 @@ fs::path installed_directory() {
   const fs::path program = fs::read_symlink("/proc/self/exe", error);  // <prefix>/lib/<package>/*
   const fs::path prefix = program.parent_path().parent_path().parent_path();
   fs::path installed = prefix / "share" / "ribbon_mapper";
-  if (!error && fs::exists(installed / "eval", error)) return installed;
+  if (!error && fs::exists(installed / "config", error)) return installed;
   return RIBBON_MAPPER_SOURCE_DIR;
 }
 

@@ -7,6 +7,7 @@
 #include <cstdio>
 
 #include "modeler/io/tum.hpp"
+#include "modeler/program/installed_files.hpp"
 #include "modeler/program/progress_bar.hpp"
 #include "modeler/program/run_program.hpp"
 #include "modeler/program/version.hpp"
@@ -28,12 +29,16 @@ struct Options {
   sim::RecorderOptions recorder;
 };
 
+std::string installed(const std::string& path) { return find_installed_file(path).string(); }
+
 void add_options(CLI::App& app, Options& options) {
   app.add_option("--world", options.world, "world (SDF file)")
       ->required()
+      ->transform(installed)
       ->check(CLI::ExistingFile);
   app.add_option("--route", options.route, "route (YAML file)")
       ->required()
+      ->transform(installed)
       ->check(CLI::ExistingFile);
   app.add_option("--model-path", options.model_paths,
                  "folder for model:// URIs, searched before GAZEBO_MODEL_PATH; may be repeated");

@@ -6,6 +6,7 @@
 #include <limits>
 #include <sstream>
 
+#include "modeler/program/installed_files.hpp"
 #include "modeler/ros/node/strict_parameters.hpp"
 
 namespace ribbon_mapper::sim {
@@ -22,6 +23,11 @@ std::vector<std::string> split(const std::string& text, char separator) {
 std::string gazebo_model_path() {
   const char* path = std::getenv("GAZEBO_MODEL_PATH");
   return path ? path : "";
+}
+
+std::string required_file(StrictParameters& from, const std::string& name,
+                          const std::string& what) {
+  return find_installed_file(from.required_text(name, what)).string();
 }
 
 /// Reads a preset by name, or `linear` with its period, amplitude and offset.
@@ -49,8 +55,8 @@ HokuyoConfig read_hokuyo(StrictParameters& from) {
 SimulatorParameters SimulatorParameters::read() {
   StrictParameters from;
   SimulatorParameters p;
-  p.world = from.required_text("world", "an SDF file, such as worlds/apartment.sdf");
-  p.route = from.required_text("route", "a YAML file, such as worlds/apartment.route.yaml");
+  p.world = required_file(from, "world", "an SDF file, such as worlds/apartment.sdf");
+  p.route = required_file(from, "route", "a YAML file, such as worlds/apartment.route.yaml");
   p.model_paths = split(from.text("model_path", gazebo_model_path()), ':');
   p.visuals = from.flag("visuals", false);
   p.caster = ray_caster_kind_from(from.text("caster", "bullet"));

@@ -88,9 +88,11 @@ ROOMS = {
     "sim/truth": Room(_POSE + ["sim/shapes", "sim/rays", "sim/world", "sim/robot"], ["Eigen"]),
     "sim/tour": Room(_POSE + ["sim/shapes", "sim/rays", "sim/world", "sim/robot", "modeler/text"],
                      ["Eigen", "yaml-cpp"]),
-    # How messages and parameters are read, and how files are written, is one thing for all nodes.
+    # How messages and parameters are read, and how files are found and written, is one thing for
+    # all nodes.
     "sim/ros": Room(_SIM + _POSE + ["modeler/ros/messages/message_conversions.hpp",
                                     "modeler/ros/node/strict_parameters.hpp",
+                                    "modeler/program/installed_files.hpp",
                                     "modeler/program/progress_bar.hpp",
                                     "modeler/program/run_program.hpp",
                                     "modeler/program/version.hpp",

@@ -1,4 +1,4 @@
-# Installs the library of BUILD_DIR below SCRATCH, then configures, builds and runs the consumer.
+# Installs BUILD_DIR below SCRATCH, then configures, builds and runs the consumer.
 function(run)
   execute_process(COMMAND ${ARGN} RESULT_VARIABLE result)
   if(NOT result EQUAL 0)
@@ -8,7 +8,7 @@ function(run)
 endfunction()
 
 file(REMOVE_RECURSE ${SCRATCH})
-run(${CMAKE_COMMAND} --install ${BUILD_DIR} --component library --prefix ${SCRATCH}/prefix)
+run(${CMAKE_COMMAND} --install ${BUILD_DIR} --prefix ${SCRATCH}/prefix)
 set(flags ${FLAGS})
 if(SANITIZE)
   string(APPEND flags " -fsanitize=${SANITIZE}")

@@ -2,13 +2,16 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "modeler/ros/node/intake_parameters.hpp"
 
+#include "modeler/program/installed_files.hpp"
 #include "modeler/ros/messages/transform_entry.hpp"
 
 namespace ribbon_mapper {
 
 IntakeParameters intake_parameters(StrictParameters& from) {
   IntakeParameters p;
-  p.config_file = from.required_text("config", "a YAML file, such as config/pr2.yaml");
+  p.config_file =
+      find_installed_file(from.required_text("config", "a YAML file, such as config/pr2.yaml"))
+          .string();
   Frames& frames = p.options.frames;
   frames.map = from.frame("map_frame", frames.map);
   frames.odom = from.frame("odom_frame", frames.odom);
