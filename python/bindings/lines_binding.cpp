@@ -26,7 +26,7 @@ constexpr const char* kLineResult =
     R"(What became of a scan line.
 
 A line completes the neighbourhood of earlier ones: the first three results tell what came of
-these. In the last three cases, the model has not changed.)";
+these.)";
 
 LaserBeams new_laser(double angle_min_rad, double angle_increment_rad, double time_increment_s,
                      double range_min_m, double range_max_m) {
