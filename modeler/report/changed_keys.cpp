@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "modeler/report/changed_keys.hpp"
 
-
 #include "modeler/config_keys.hpp"
 #include "modeler/text/number_text.hpp"
 
