@@ -11,7 +11,7 @@
 namespace ribbon_mapper {
 namespace {
 
-Json to_json(const Eigen::Vector3d& v, double parts) {
+Json rounded_json(const Eigen::Vector3d& v, double parts) {
   return {rounded(v.x(), parts), rounded(v.y(), parts), rounded(v.z(), parts)};
 }
 
@@ -34,7 +34,7 @@ Json ring_in_map(const std::vector<Eigen::Vector3d>& ring) {
 }
 
 template <typename Convert>
-Json to_json(const std::vector<Outline>& outlines, const Convert& convert) {
+Json outlines_json(const std::vector<Outline>& outlines, const Convert& convert) {
   Json json = Json::array();
   for (const Outline& outline : outlines) {
     Json& rings = json.emplace_back(Json::array({convert(outline.outer)}));
@@ -83,24 +83,25 @@ std::string text_of(const Json& json) {
 }
 
 Json outlines_in_map(const std::vector<Outline>& outlines) {
-  return to_json(outlines, ring_in_map);
+  return outlines_json(outlines, ring_in_map);
 }
 
 std::string plane_json(const Plane& plane, const PlaneRemarks& remarks, bool with_cells) {
   const Eigen::Vector3d sigmas = plane.covariance.diagonal().cwiseMax(0.0).cwiseSqrt();
-  Json json{{"id", plane.id},
-            {"normal", to_json(plane.normal, 1e6)},
-            {"d", rounded(plane.d_m, 1e5)},
-            {"area", rounded(plane.area_m2, 1e4)},
-            {"centroid", to_json(plane.centroid, 1e4)},
-            {"origin", to_json(plane.origin, 1e5)},
-            {"axis_u", to_json(plane.axis_u, 1e6)},
-            {"cell", plane.cell_size_m},
-            {"ribbons", plane.ribbons.size()},
-            {"points", points_of(plane)},
-            {"seen", plane.cells.size()},
-            {"sigmas", to_json(sigmas, 1e7)},
-            {"rings", to_json(plane.outlines, [&](const auto& r) { return ring_on(plane, r); })}};
+  Json json{
+      {"id", plane.id},
+      {"normal", rounded_json(plane.normal, 1e6)},
+      {"d", rounded(plane.d_m, 1e5)},
+      {"area", rounded(plane.area_m2, 1e4)},
+      {"centroid", rounded_json(plane.centroid, 1e4)},
+      {"origin", rounded_json(plane.origin, 1e5)},
+      {"axis_u", rounded_json(plane.axis_u, 1e6)},
+      {"cell", plane.cell_size_m},
+      {"ribbons", plane.ribbons.size()},
+      {"points", points_of(plane)},
+      {"seen", plane.cells.size()},
+      {"sigmas", rounded_json(sigmas, 1e7)},
+      {"rings", outlines_json(plane.outlines, [&](const auto& r) { return ring_on(plane, r); })}};
   if (!remarks.label.empty()) json["label"] = remarks.label;
   if (remarks.verdict) json["verdict"] = to_json(*remarks.verdict);
   if (with_cells && !plane.cells.empty()) json["cells"] = to_json(packed_cells(plane));

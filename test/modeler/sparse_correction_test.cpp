@@ -25,8 +25,8 @@ PoseByTime random_walk(unsigned seed, double spatial) {
   std::vector<Pose> drifts{Pose::Identity()};
   for (int i = 0; i <= kDuration_s / kStep_s + 2; ++i) {
     Eigen::Vector3d slip_m, turn_rad;
-    for (double& x : slip_m) x = 0.02 * normal(random);
-    for (double& x : turn_rad) x = 0.035 * normal(random);
+    for (int axis = 0; axis < 3; ++axis) slip_m[axis] = 0.02 * normal(random);
+    for (int axis = 0; axis < 3; ++axis) turn_rad[axis] = 0.035 * normal(random);
     slip_m.z() *= spatial, turn_rad.head<2>() *= spatial;
     const Pose error =
         Eigen::Translation3d(slip_m) * Eigen::AngleAxisd(turn_rad.norm(), turn_rad.normalized());
