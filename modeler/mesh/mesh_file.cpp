@@ -7,7 +7,9 @@
 
 #include <assimp/Exporter.hpp>
 #include <memory>
+#include <set>
 #include <stdexcept>
+#include <utility>
 
 #include "modeler/io/colour.hpp"
 
@@ -95,13 +97,24 @@ FormatOfAssimp format_of(MeshFormat format) {
   return {"stlb", ".stl"};
 }
 
-/// Returns the main file and those that it refers to, which assimp names in full.
-std::vector<MeshFile> files_of(const aiExportDataBlob& blob, const std::string& suffix) {
+/// Returns the main file and those that it refers to. assimp names those in full; before 5.1, by
+/// their endings, and it has the main file twice, under a name of its own.
+std::vector<MeshFile> files_of(const aiExportDataBlob& blob, const std::string& suffix,
+                               const std::string& model) {
+  const std::string own_name = "$blobfile";
   std::vector<MeshFile> files;
+  std::set<std::string> suffixes;
   for (const aiExportDataBlob* part = &blob; part != nullptr; part = part->next) {
     const std::string name = part->name.C_Str();
-    files.push_back({part == &blob ? suffix : name.substr(name.rfind('.')),
-                     {static_cast<const char*>(part->data), part->size}});
+    if (name == own_name) continue;
+    const std::size_t dot = name.rfind('.');
+    const std::string ending = dot == std::string::npos ? "." + name : name.substr(dot);
+    const std::string& its = part == &blob ? suffix : ending;
+    if (!suffixes.insert(its).second) continue;
+    std::string bytes(static_cast<const char*>(part->data), part->size);
+    const std::size_t at = its == ".obj" ? bytes.find(own_name) : std::string::npos;
+    if (at != std::string::npos) bytes.replace(at, own_name.size(), model);
+    files.push_back({its, std::move(bytes)});
   }
   return files;
 }
@@ -129,7 +142,7 @@ std::vector<MeshFile> mesh_files(const std::vector<PlaneMesh>& meshes, MeshForma
     throw std::runtime_error(name + wanted.suffix +
                              " cannot be made: " + exporter.GetErrorString());
   }
-  return files_of(*blob, wanted.suffix);
+  return files_of(*blob, wanted.suffix, name);
 }
 
 }  // namespace ribbon_mapper
