@@ -59,9 +59,9 @@ def median_of(group, key):
 def draw_end_errors(axes, groups):
     """Adds an upper axis with the median error of the last pose for each drift."""
     top = axes.secondary_xaxis("top")
-    top.set_xticks([g["drift"] for g in groups],
-                   [f"{median_of(g, 'end_drift_m'):.1f} m\n{median_of(g, 'end_drift_deg'):.0f}°"
-                    for g in groups])
+    top.set_xticks([g["drift"] for g in groups])
+    top.set_xticklabels(f"{median_of(g, 'end_drift_m'):.1f} m\n{median_of(g, 'end_drift_deg'):.0f}°"
+                        for g in groups)
     top.tick_params(labelsize=6.5, length=2, pad=1)
 
 
