@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "modeler/geometry/angles.hpp"
 #include "modeler/geometry/square.hpp"
@@ -54,6 +55,8 @@ void Hypothesis::refit() {
 double Hypothesis::tilt_variance(const Eigen::Vector3d& direction) const {
   double square_sum = 0.0;
   for (int axis = 1; axis < 3; ++axis) {
+    // No extent that is left, far from the origin, tells no tilt.
+    if (fit_.variances[axis] <= 0.0) return std::numeric_limits<double>::infinity();
     square_sum += square(direction.dot(fit_.axes.col(axis))) / fit_.variances[axis];
   }
   return fit_.variances[0] / points_ * square_sum;

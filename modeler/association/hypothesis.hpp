@@ -57,7 +57,8 @@ class Hypothesis {
   /// Returns the distance of a point from the plane [m], positive on the side it was seen from.
   double signed_distance(const Eigen::Vector3d& point) const { return normal_.dot(point) + d_m_; }
 
-  /// Returns the variance of the normal's tilt along a direction in the plane [rad2].
+  /// Returns the variance of the normal's tilt along a direction in the plane [rad2]; infinity if
+  /// the points have no extent.
   double tilt_variance(const Eigen::Vector3d& direction) const;
 
   std::int64_t id;  ///< number of the hypothesis, in the order of creation
