@@ -13,10 +13,8 @@ there.
 """
 
 import json
-import pathlib
-import sys
 
-from figure_files import counted, matplotlib, save_both
+from figure_files import counted, draw_as, matplotlib
 from outlines import area_of, rings, sections
 
 import matplotlib.pyplot as plt  # noqa: E402 (needs the backend)
@@ -203,15 +201,5 @@ def draw(directory):
     return figure
 
 
-def main():
-    if len(sys.argv) != 2:
-        sys.exit("usage: before_after.py DIRECTORY")
-    directory = pathlib.Path(sys.argv[1])
-    try:
-        save_both(draw(directory), directory / "before_after")
-    except (OSError, ValueError, KeyError) as error:
-        sys.exit(f"before_after.py: {error!r}")
-
-
 if __name__ == "__main__":
-    main()
+    draw_as("before_after", draw)

@@ -12,10 +12,8 @@ with those of the first group are shown.
 """
 
 import json
-import pathlib
-import sys
 
-from figure_files import matplotlib, save_both
+from figure_files import draw_as, matplotlib
 
 import matplotlib.pyplot as plt  # noqa: E402 (needs the backend)
 
@@ -92,15 +90,5 @@ def draw(directory):
     return figure
 
 
-def main():
-    if len(sys.argv) != 2:
-        sys.exit("usage: dose_response.py DIRECTORY")
-    directory = pathlib.Path(sys.argv[1])
-    try:
-        save_both(draw(directory), directory / "dose_response")
-    except (OSError, ValueError, KeyError, IndexError) as error:
-        sys.exit(f"dose_response.py: {error!r}")
-
-
 if __name__ == "__main__":
-    main()
+    draw_as("dose_response", draw)

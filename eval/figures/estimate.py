@@ -11,12 +11,10 @@ estimate.png there.
 import bisect
 import csv
 import math
-import pathlib
-import sys
 
 from before_after import (TRUE, box_around, draw_planes, draw_scale_bar, draw_world, load_json,
                           load_trajectory, set_title)
-from figure_files import save_both
+from figure_files import draw_as
 
 import matplotlib.pyplot as plt  # noqa: E402 (needs the backend)
 
@@ -97,15 +95,5 @@ def draw(directory):
     return figure
 
 
-def main():
-    if len(sys.argv) != 2:
-        sys.exit("usage: estimate.py DIRECTORY")
-    directory = pathlib.Path(sys.argv[1])
-    try:
-        save_both(draw(directory), directory / "estimate")
-    except (OSError, ValueError, KeyError) as error:
-        sys.exit(f"estimate.py: {error!r}")
-
-
 if __name__ == "__main__":
-    main()
+    draw_as("estimate", draw)

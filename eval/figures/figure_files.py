@@ -3,6 +3,7 @@
 """Shared by all figures: matplotlib without a display, and atomic replacement of files."""
 
 import os
+import pathlib
 import sys
 
 try:
@@ -37,3 +38,14 @@ def save_both(figure, path):
     """Saves SVG and PNG; `path` has no suffix."""
     save(figure, path.with_suffix(".svg"), metadata={"Date": None})
     save(figure, path.with_suffix(".png"), dpi=200)
+
+
+def draw_as(name, draw):
+    """Saves what `draw` makes of the folder on the command line as NAME.svg and NAME.png there."""
+    if len(sys.argv) != 2:
+        sys.exit(f"usage: {name}.py DIRECTORY")
+    directory = pathlib.Path(sys.argv[1])
+    try:
+        save_both(draw(directory), directory / name)
+    except (OSError, ValueError, KeyError, IndexError) as error:
+        sys.exit(f"{name}.py: {error!r}")
