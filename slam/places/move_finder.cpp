@@ -32,6 +32,11 @@ std::string text_of(const PlaceMove& move) {
   return text.str();
 }
 
+/// Returns true if what is in view cannot be new ground: known walls would stand before it.
+bool is_contradiction(const Agreement& agreement, const RelocaliserConfig& config) {
+  return agreement.pierced() >= config.pierced_share && agreement.known() < 0.5;
+}
+
 /// Returns the lines from `first` on within a time, and before `end`.
 LineRange lines_within(double seconds, const PosedLines& lines, std::uint32_t first,
                        std::uint32_t end) {
@@ -74,18 +79,27 @@ void MoveFinder::look_at_recent(const PosedLines& lines, const LineRange& newest
                          settings_);
   const Agreement unmoved = agreement(lines, newest, Pose::Identity(), scene);
   open_break(newest, unmoved);
-  if (!breaks_.empty() && breaks_.back().line < newest.first) {
+  const bool is_asked_for_break =
+      breaks_.empty() || breaks_.back().line >= newest.first || breaks_.back().is_contradicted;
+  if (!is_asked_for_break) {
     ask({newest, newest.first, unmoved}, lines, scene);
   }
 }
 
-/// Opens a break where known ground ends, by what older lines know of the newest ones.
+/// Opens a break where known ground ends, by what older lines know of the newest ones; on new
+/// ground, where these contradict them.
 void MoveFinder::open_break(const LineRange& newest, const Agreement& now) {
-  const bool is_known = is_known_ground(now, settings_.estimate.relocaliser);
+  const RelocaliserConfig& config = settings_.estimate.relocaliser;
+  const bool is_known = is_known_ground(now, config);
+  const bool is_contradicted = is_contradiction(now, config);
   if (is_known && !breaks_.empty()) breaks_.back().is_settled = true;
-  if (is_known || (!breaks_.empty() && !breaks_.back().is_settled)) return;
+  if (is_known) return;
+  if (!breaks_.empty() && !breaks_.back().is_settled) {
+    if (!is_contradicted || breaks_.back().is_contradicted) return;
+  }
   if (breaks_.size() == kMostBreaks) breaks_.erase(breaks_.begin());
-  breaks_.emplace_back().line = newest.first;
+  Break& torn = breaks_.emplace_back();
+  torn.line = newest.first, torn.is_contradicted = is_contradicted;
 }
 
 /// Returns what was known before a break near the newest line.
@@ -143,8 +157,9 @@ void MoveFinder::ask(const Question& question, const PosedLines& lines, const Kn
   const RelocaliserConfig& config = settings_.estimate.relocaliser;
   const Agreement& now = question.unmoved;
   if (is_known_ground(now, config)) return;
-  const bool is_contradicted = now.pierced() >= config.pierced_share && now.known() < 0.5;
-  if (question.range.end == lines.size() && is_contradicted) finding_.doubt = text_of(now);
+  if (question.range.end == lines.size() && is_contradiction(now, config)) {
+    finding_.doubt = text_of(now);
+  }
   const std::vector<PlaceMove> moves = find_moves(lines, question.range, scene, settings_.estimate);
   if (!moves.empty()) judge(question, moves, lines, scene);
 }

@@ -50,6 +50,7 @@ class MoveFinder {
   struct Break {
     std::uint32_t line = 0;           // the first one that may be beyond
     bool is_settled = false;          // what lies beyond is known by itself
+    bool is_contradicted = false;     // known walls stand between what lies beyond and the laser
     bool is_left = false;             // nothing of what was known before is in view
     std::optional<KnownScene> scene;  // what was known before, near `centre`
     Eigen::Vector3d centre = Eigen::Vector3d::Zero();

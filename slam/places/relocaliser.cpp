@@ -102,7 +102,8 @@ bool Relocaliser::choose(const Finding& finding, PosedLines& lines, const Odomet
     // Ribbons seen through known walls contradict them: they are not explained either.
     const bool is_move = candidate.kind == Decision::Kind::found && before.ribbon_m > 0.0;
     const double total = after.total - (is_move ? finding.move->freed_m / before.ribbon_m : 0.0);
-    if (total >= least) continue;
+    // Known walls may be wrong themselves: what is seen through them moves nothing alone.
+    if (after.total >= before.total || total >= least) continue;
     least = total, best = std::move(history), chosen = &candidate;
     figures = text_of(before, after);
   }

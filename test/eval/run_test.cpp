@@ -67,6 +67,31 @@ TEST(Run, FindsADoorAjarBesideItsWall) {
   }
 }
 
+/// Here, a move of 0.9 m would put the first walls of a new room on those of an old one: a third of
+/// what is in view.
+TEST(Run, TheEstimateMovesNothingOntoParallelWalls) {
+  RunOptions run;
+  run.closure = "self";
+  run.seed = 3;
+  const Results results = make_run(run, [](const Progress&) {});
+  EXPECT_THAT(results.summary.estimate->decisions, testing::IsEmpty());
+  EXPECT_LT(results.summary.estimate->error.rmse_m, 0.03);
+  EXPECT_EQ(results.summary.metrics.corrected.matched, 22U);
+}
+
+/// The slip happens in a room that was entered 20 s before. Found from the newest lines alone, it
+/// left those before them where they were.
+TEST(Run, TheEstimateFindsASlipInANewRoomFromItsBeginning) {
+  RunOptions run;
+  run.closure = "self";
+  run.seed = 32;
+  run.odometry_faults = "slip=150:20";
+  const Results results = make_run(run, [](const Progress&) {});
+  EXPECT_THAT(results.summary.estimate->decisions, testing::Contains(testing::HasSubstr("found")));
+  EXPECT_LT(results.summary.estimate->error.rmse_m, 0.03);
+  EXPECT_EQ(results.summary.metrics.corrected.matched, 22U);
+}
+
 TEST(Route, RestsBeforeItStarts) {
   const std::vector<Eigen::Vector2d> way{{0.0, 0.0}, {1.0, 0.0}};
   const sim::Route at_once(0.5, 1.0, way), later(0.5, 1.0, way, 4.0);
