@@ -10,6 +10,15 @@ if(NOT DEFINED RIBBON_MAPPER_ROS OR RIBBON_MAPPER_ROS OR RIBBON_MAPPER_ROS STREQ
   find_package(catkin QUIET COMPONENTS
     diagnostic_updater geometry_msgs message_generation nav_msgs rosbag roscpp rosgraph_msgs
     sensor_msgs std_msgs std_srvs tf2 tf2_eigen tf2_ros topic_tools visualization_msgs)
+  # As the path is relative, catkin may leave a relay to the install space where the devel space has
+  # the script behind setup.bash. It is written once more, and what was run by it is run again.
+  if(catkin_FOUND AND CATKIN_INSTALL_INTO_PREFIX_ROOT AND PROJECT_SOURCE_DIR STREQUAL CMAKE_SOURCE_DIR)
+    file(REMOVE ${CATKIN_DEVEL_PREFIX}/_setup_util.py)
+    set(CATKIN_INSTALL_INTO_PREFIX_ROOT OFF)
+    catkin_generate_environment()
+    set(CATKIN_INSTALL_INTO_PREFIX_ROOT ON)
+    safe_execute_process(COMMAND ${GENERATE_ENVIRONMENT_CACHE_COMMAND})
+  endif()
   unset(CMAKE_INSTALL_PREFIX)
 endif()
 set(libraries catkin=catkin)

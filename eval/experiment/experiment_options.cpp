@@ -8,6 +8,7 @@
 #include <sstream>
 #include <stdexcept>
 
+#include "modeler/exports/export_options.hpp"
 #include "modeler/program/version.hpp"
 #include "sim/rays/ray_caster.hpp"
 #include "sim/robot/hokuyo.hpp"
@@ -42,21 +43,6 @@ struct Lists {
   std::string seeds;
   bool no_figure = false;
 };
-
-/// Returns a validator whose error message is that of the exception that `parse` throws.
-template <typename Parse>
-CLI::Validator accepted_by(Parse parse) {
-  return CLI::Validator(
-      [parse](const std::string& text) -> std::string {
-        try {
-          parse(text);
-          return "";
-        } catch (const std::invalid_argument& error) {
-          return error.what();
-        }
-      },
-      "");
-}
 
 /// Checks a drift. CLI11's own range check accepts NaN.
 void require_drift(const std::string& text) {
@@ -135,18 +121,6 @@ void add_list_options(CLI::App& app, Lists& lists) {
       ->excludes(seed);
 }
 
-void add_export_options(CLI::App& app, ExperimentOptions& options) {
-  app.add_flag("--floor-plan", options.with_floor_plan,
-               "draw floor_plan.svg, .png and .dxf from floor_plan.geojson");
-  app.add_option_function<std::string>(
-         "--mesh-formats",
-         [&options](const std::string& list) { options.mesh_formats = mesh_formats_from(list); },
-         "files of the planes for other programs: glb, obj, stl, separated by commas, or none")
-      ->check(accepted_by(
-          [](const std::string& list) { return ribbon_mapper::mesh_formats_from(list); }))
-      ->default_str("glb");
-}
-
 void add_output_options(CLI::App& app, ExperimentOptions& options, bool& no_figure) {
   app.add_option("--output", options.output, "folder for the results")->capture_default_str();
   app.add_option("--jobs", options.jobs,
@@ -154,7 +128,7 @@ void add_output_options(CLI::App& app, ExperimentOptions& options, bool& no_figu
       ->check(CLI::Range(1, 256).description(""))
       ->capture_default_str();
   app.add_flag("--no-figure", no_figure, "draw no figure");
-  add_export_options(app, options);
+  add_export_options(app, options.with_floor_plan, options.mesh_formats);
   app.add_flag("--line", options.line_only,
                "print the lines of runs.jsonl and write no files, for runs on several machines");
   app.add_flag(

@@ -49,7 +49,7 @@ ROOMS = {
     "modeler/mesh": Room(_MODELER + ["modeler/storage", "modeler/io"], ["Eigen", "GL", "assimp"]),
     "modeler/exports": Room(_MODELER + ["modeler/storage", "modeler/io", "modeler/mesh",
                                         "modeler/text"],
-                            ["Eigen", "nlohmann"]),
+                            ["CLI", "Eigen", "nlohmann"]),
     "modeler/model_file": Room(_MODELER + ["modeler/calibration", "modeler/storage", "modeler/io",
                                            "modeler/text"], ["Eigen"]),
     "modeler/report": Room(_MODELER + ["modeler/text"], ["Eigen", "nlohmann"]),

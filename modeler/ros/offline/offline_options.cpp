@@ -3,8 +3,8 @@
 #include "modeler/ros/offline/offline_options.hpp"
 
 #include <CLI/CLI.hpp>
-#include <stdexcept>
 
+#include "modeler/exports/export_options.hpp"
 #include "modeler/program/version.hpp"
 #include "modeler/ros/bag_check/bag_check_options.hpp"
 
@@ -24,27 +24,6 @@ constexpr const char* kDescription =
 constexpr const char* kFooter =
     "Not sure what is in the bag? `bag_check FILE` lists it and reports what is wrong.\n"
     "Exit code: 0 success, 1 failure, 2 wrong usage, 130 interrupted.";
-
-/// Returns what is wrong with a list of mesh formats; empty if nothing is.
-std::string defect_of(const std::string& mesh_formats) {
-  try {
-    mesh_formats_from(mesh_formats);
-    return "";
-  } catch (const std::invalid_argument& error) {
-    return error.what();
-  }
-}
-
-void add_export_options(CLI::App& app, OfflineOptions& options) {
-  app.add_flag("--floor-plan", options.with_floor_plan,
-               "draw floor_plan.svg, .png and .dxf from floor_plan.geojson");
-  app.add_option_function<std::string>(
-         "--mesh-formats",
-         [&options](const std::string& list) { options.mesh_formats = mesh_formats_from(list); },
-         "files of the planes for other programs: glb, obj, stl, separated by commas, or none")
-      ->check(CLI::Validator(&defect_of, ""))
-      ->default_str("glb");
-}
 
 /// Throws CLI::Error if options contradict each other.
 void check(const OfflineOptions& options) {
@@ -87,7 +66,7 @@ std::variant<OfflineOptions, int> parse_offline_options(int argc, const char* co
   app.add_flag("--maps", options.with_maps,
                "write map.pgm and map.yaml for map_server, and map.bt, an OctoMap of free and "
                "occupied space");
-  add_export_options(app, options);
+  add_export_options(app, options.with_floor_plan, options.mesh_formats);
   try {
     app.parse(argc, argv);
     check(options);
