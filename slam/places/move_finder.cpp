@@ -78,9 +78,9 @@ void MoveFinder::look_at_recent(const PosedLines& lines, const LineRange& newest
   const KnownScene scene(lines, context_of(lines, newest, newest.first, settings_.estimate),
                          settings_);
   const Agreement unmoved = agreement(lines, newest, Pose::Identity(), scene);
-  open_break(newest, unmoved);
+  open_break(lines, newest, unmoved, scene);
   const bool is_asked_for_break =
-      breaks_.empty() || breaks_.back().line >= newest.first || breaks_.back().is_contradicted;
+      breaks_.empty() || breaks_.back().line >= newest.first || breaks_.back().tear.has_value();
   if (!is_asked_for_break) {
     ask({newest, newest.first, unmoved}, lines, scene);
   }
@@ -88,18 +88,32 @@ void MoveFinder::look_at_recent(const PosedLines& lines, const LineRange& newest
 
 /// Opens a break where known ground ends, by what older lines know of the newest ones; on new
 /// ground, where these contradict them.
-void MoveFinder::open_break(const LineRange& newest, const Agreement& now) {
+void MoveFinder::open_break(const PosedLines& lines, const LineRange& newest, const Agreement& now,
+                            const KnownScene& scene) {
   const RelocaliserConfig& config = settings_.estimate.relocaliser;
   const bool is_known = is_known_ground(now, config);
   const bool is_contradicted = is_contradiction(now, config);
   if (is_known && !breaks_.empty()) breaks_.back().is_settled = true;
   if (is_known) return;
   if (!breaks_.empty() && !breaks_.back().is_settled) {
-    if (!is_contradicted || breaks_.back().is_contradicted) return;
+    if (!is_contradicted || breaks_.back().tear) return;
   }
-  if (breaks_.size() == kMostBreaks) breaks_.erase(breaks_.begin());
+  if (breaks_.size() == kMostBreaks) {
+    const auto plain = std::find_if(breaks_.begin(), breaks_.end(),
+                                    [](const Break& b) { return !b.tear.has_value(); });
+    breaks_.erase(plain != breaks_.end() ? plain : breaks_.begin());
+  }
   Break& torn = breaks_.emplace_back();
-  torn.line = newest.first, torn.is_contradicted = is_contradicted;
+  torn.line = newest.first;
+  if (is_contradicted) {
+    torn.tear = end_of_fitting(lines, newest, scene, settings_.estimate.gates.front());
+  }
+}
+
+std::optional<std::uint32_t> MoveFinder::last_tear_before(std::uint32_t line) const {
+  const auto torn = std::find_if(breaks_.rbegin(), breaks_.rend(),
+                                 [&](const Break& b) { return b.tear && *b.tear < line; });
+  return torn != breaks_.rend() ? torn->tear : std::nullopt;
 }
 
 /// Returns what was known before a break near the newest line.
@@ -197,6 +211,7 @@ void MoveFinder::judge(const Question& question, const std::vector<PlaceMove>& m
                             last_seen(lines, question.range, move.T_start_start, scene, gates),
                             gain_m,
                             now.pierced_m - moved.pierced_m,
+                            last_tear_before(seam.first),
                             finding_.doubt};
 }
 

@@ -18,7 +18,10 @@ struct FoundMove {
   std::uint32_t last_seen;  ///< line that saw the known walls for the last time
   double gain_m;            ///< length of ribbons that it makes known
   double freed_m;           ///< length of ribbons that are no longer seen through known walls
-  std::string evidence;     ///< the figures
+  /// The line before the seam where known walls began to contradict what was in view, and no move
+  /// was found, if there is one.
+  std::optional<std::uint32_t> tear;
+  std::string evidence;  ///< the figures
 };
 
 /// What a look at the newest lines has shown.
@@ -48,11 +51,11 @@ class MoveFinder {
  private:
   /// Where known ground ended.
   struct Break {
-    std::uint32_t line = 0;           // the first one that may be beyond
-    bool is_settled = false;          // what lies beyond is known by itself
-    bool is_contradicted = false;     // known walls stand between what lies beyond and the laser
-    bool is_left = false;             // nothing of what was known before is in view
-    std::optional<KnownScene> scene;  // what was known before, near `centre`
+    std::uint32_t line = 0;             // the first one that may be beyond
+    bool is_settled = false;            // what lies beyond is known by itself
+    std::optional<std::uint32_t> tear;  // where known walls begin to stand before what is in view
+    bool is_left = false;               // nothing of what was known before is in view
+    std::optional<KnownScene> scene;    // what was known before, near `centre`
     Eigen::Vector3d centre = Eigen::Vector3d::Zero();
   };
   /// Some lines, and what they are compared with: older lines than `torn_from`.
@@ -63,7 +66,9 @@ class MoveFinder {
   };
 
   void look_at_recent(const PosedLines& lines, const LineRange& newest, double tracked_share);
-  void open_break(const LineRange& newest, const Agreement& now);
+  void open_break(const PosedLines& lines, const LineRange& newest, const Agreement& now,
+                  const KnownScene& scene);
+  std::optional<std::uint32_t> last_tear_before(std::uint32_t line) const;
   const KnownScene& scene_before(Break& torn, const PosedLines& lines) const;
   bool search_before(Break& torn, const PosedLines& lines, const LineRange& newest);
   std::optional<LineRange> range_behind(const Break& torn, const PosedLines& lines,

@@ -54,6 +54,9 @@ std::vector<Relocaliser::Candidate> Relocaliser::candidates(const Finding& findi
   if (!finding.move) return candidates;
   const Pose& T = finding.move->T_start_start;
   const Seam& seam = finding.move->seam;
+  if (const auto& tear = finding.move->tear) {
+    candidates.push_back({T, {*tear, *tear}, true, Decision::Kind::found});
+  }
   if (lines.seconds_between(seam.first, seam.end) < kShortSeam_s) {
     candidates.push_back({T, seam, true, Decision::Kind::found});
     return candidates;
@@ -63,7 +66,8 @@ std::vector<Relocaliser::Candidate> Relocaliser::candidates(const Finding& findi
   candidates.push_back({T, {seam.first, seam.first}, true, Decision::Kind::found});
   const Seam way{std::max<std::uint32_t>(1, finding.move->last_seen), seam.end};
   const double max_scale = settings_.estimate.relocaliser.drift_sigmas * noise.planar_scale;
-  if (way.first < way.end && scale_of(way, T, lines) < max_scale) {
+  const bool may_be_drift = !finding.move->tear;  // drift does not begin to be wrong at a line
+  if (may_be_drift && way.first < way.end && scale_of(way, T, lines) < max_scale) {
     candidates.push_back({T, way, false, Decision::Kind::found});
   }
   return candidates;

@@ -67,29 +67,40 @@ TEST(Run, FindsADoorAjarBesideItsWall) {
   }
 }
 
-/// Here, a move of 0.9 m would put the first walls of a new room on those of an old one: a third of
-/// what is in view.
-TEST(Run, TheEstimateMovesNothingOntoParallelWalls) {
+/// A tour that the estimate of the trajectory corrects.
+Summary self_corrected(std::uint64_t seed, const std::string& odometry_faults) {
   RunOptions run;
   run.closure = "self";
-  run.seed = 3;
-  const Results results = make_run(run, [](const Progress&) {});
-  EXPECT_THAT(results.summary.estimate->decisions, testing::IsEmpty());
-  EXPECT_LT(results.summary.estimate->error.rmse_m, 0.03);
-  EXPECT_EQ(results.summary.metrics.corrected.matched, 22U);
+  run.seed = seed;
+  run.odometry_faults = odometry_faults;
+  return make_run(run, [](const Progress&) {}).summary;
+}
+
+/// Here, a move of 0.9 m would put the first walls of a new room on those of an old one: a third of
+/// what is in view.
+TEST(SelfClosure, MovesNothingOntoParallelWalls) {
+  const Summary summary = self_corrected(3, "");
+  EXPECT_THAT(summary.estimate->decisions, testing::IsEmpty());
+  EXPECT_LT(summary.estimate->error.rmse_m, 0.03);
+  EXPECT_EQ(summary.metrics.corrected.matched, 22U);
 }
 
 /// The slip happens in a room that was entered 20 s before. Found from the newest lines alone, it
 /// left those before them where they were.
-TEST(Run, TheEstimateFindsASlipInANewRoomFromItsBeginning) {
-  RunOptions run;
-  run.closure = "self";
-  run.seed = 32;
-  run.odometry_faults = "slip=150:20";
-  const Results results = make_run(run, [](const Progress&) {});
-  EXPECT_THAT(results.summary.estimate->decisions, testing::Contains(testing::HasSubstr("found")));
-  EXPECT_LT(results.summary.estimate->error.rmse_m, 0.03);
-  EXPECT_EQ(results.summary.metrics.corrected.matched, 22U);
+TEST(SelfClosure, FindsASlipInANewRoomFromItsBeginning) {
+  const Summary summary = self_corrected(32, "slip=150:20");
+  EXPECT_THAT(summary.estimate->decisions, testing::Contains(testing::HasSubstr("found")));
+  EXPECT_LT(summary.estimate->error.rmse_m, 0.03);
+  EXPECT_EQ(summary.metrics.corrected.matched, 22U);
+}
+
+/// The walls of then do not tell the move, but they contradict what is in view. The move is found
+/// 87 s later, and belongs to the contradiction.
+TEST(SelfClosure, MovesAllThatCameAfterAContradiction) {
+  const Summary summary = self_corrected(31, "shift=45:0.5");
+  EXPECT_THAT(summary.estimate->decisions, testing::Contains(testing::HasSubstr("found")));
+  EXPECT_LT(summary.estimate->error.rmse_m, 0.03);
+  EXPECT_EQ(summary.metrics.corrected.matched, 22U);
 }
 
 TEST(Route, RestsBeforeItStarts) {
