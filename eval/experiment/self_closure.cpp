@@ -44,14 +44,10 @@ std::vector<StampedPose> SelfClosure::finish(const sim::Tour& tour) {
 EstimateSummary SelfClosure::summary(const std::vector<StampedPose>& estimate,
                                      const std::vector<StampedPose>& truth) const {
   return {trajectory_error(estimate, truth),
-          precision_of(covariances_),
-          planar_nees(estimate, covariances_, truth),
-          estimate_.noise_scale(),
-          updates_s_,
-          longest_update_s_,
-          finish_s_,
-          covariances_s_,
-          slam::texts_of(estimate_.decisions(), estimate.front().stamp)};
+          EstimateReport{precision_of(covariances_), planar_nees(estimate, covariances_, truth),
+                         estimate_.noise_scale(), updates_s_, longest_update_s_, finish_s_,
+                         covariances_s_,
+                         slam::texts_of(estimate_.decisions(), estimate.front().stamp)}};
 }
 
 }  // namespace ribbon_mapper::eval

@@ -135,11 +135,12 @@ Json times_of(const Summary& s) {
   Json json{{"us_per_line", s.us_per_line},
             {"correction_ms", s.correction_ms},
             {"real_time_factor", s.real_time_factor}};
-  if (s.estimate) {
-    json["estimate_updates_s"] = s.estimate->updates_s;
-    json["estimate_longest_update_s"] = s.estimate->longest_update_s;
-    json["estimate_finish_s"] = s.estimate->finish_s;
-    json["estimate_covariances_s"] = s.estimate->covariances_s;
+  if (s.estimate && s.estimate->report) {
+    const EstimateReport& estimate = *s.estimate->report;
+    json["estimate_updates_s"] = estimate.updates_s;
+    json["estimate_longest_update_s"] = estimate.longest_update_s;
+    json["estimate_finish_s"] = estimate.finish_s;
+    json["estimate_covariances_s"] = estimate.covariances_s;
   }
   return json;
 }
@@ -149,24 +150,29 @@ Json to_json(const EstimateSummary& estimate) {
             {"largest_m", estimate.error.largest_m},
             {"rmse_deg", estimate.error.rmse_deg},
             {"aligned_rmse_m", estimate.error.aligned_rmse_m}};
-  for (const auto& [name, sigma] : named_sigmas(estimate.precision)) json[name] = sigma;
-  json["nees"] = estimate.nees;
-  json["noise_scale"] = estimate.noise_scale;
-  json["decisions"] = estimate.decisions;
+  if (!estimate.report) return json;
+  for (const auto& [name, sigma] : named_sigmas(estimate.report->precision)) json[name] = sigma;
+  json["nees"] = estimate.report->nees;
+  json["noise_scale"] = estimate.report->noise_scale;
+  json["decisions"] = estimate.report->decisions;
   return json;
+}
+
+std::string report_text(const EstimateReport& report) {
+  return format(
+      "; known to %.1f cm and %.2f deg (median; NEES %.2f); odometry %.1f x gmapping's noise; "
+      "%.1f s for all lines (longest %.0f ms), %.1f s at the end",
+      100.0 * report.precision.position_m_median, report.precision.heading_deg_median, report.nees,
+      report.noise_scale, report.updates_s, 1e3 * report.longest_update_s, report.finish_s);
 }
 
 std::string estimate_text(const EstimateSummary& estimate) {
   const TrajectoryError& e = estimate.error;
   return format(
-      "trajectory estimated without truth: position %.1f cm RMS (largest %.1f; aligned %.1f), "
-      "heading %.2f deg; known to %.1f cm and %.2f deg (median; NEES %.2f); odometry %.1f x "
-      "gmapping's noise; %.1f s for all lines (longest %.0f ms), "
-      "%.1f s at the end\n",
-      100.0 * e.rmse_m, 100.0 * e.largest_m, 100.0 * e.aligned_rmse_m, e.rmse_deg,
-      100.0 * estimate.precision.position_m_median, estimate.precision.heading_deg_median,
-      estimate.nees, estimate.noise_scale, estimate.updates_s, 1e3 * estimate.longest_update_s,
-      estimate.finish_s);
+             "trajectory estimated without truth: position %.1f cm RMS (largest %.1f; aligned "
+             "%.1f), heading %.2f deg",
+             100.0 * e.rmse_m, 100.0 * e.largest_m, 100.0 * e.aligned_rmse_m, e.rmse_deg) +
+         (estimate.report ? report_text(*estimate.report) : "") + "\n";
 }
 
 /// Returns the figures without the times.

@@ -20,9 +20,8 @@ namespace ribbon_mapper::eval {
 /// The metrics of each of the four models.
 using FourMetrics = PerModel<MapMetrics>;
 
-/// Errors and times of an estimate of the trajectory without ground truth.
-struct EstimateSummary {
-  TrajectoryError error;          ///< of the final trajectory
+/// What an estimate of the trajectory says of itself.
+struct EstimateReport {
   PosePrecision precision;        ///< as its covariances state it
   double nees = 0.0;              ///< of the final trajectory, see planar_nees()
   double noise_scale = 1.0;       ///< learnt for the odometry, as a multiple of gmapping's
@@ -32,6 +31,12 @@ struct EstimateSummary {
   double covariances_s = 0.0;     ///< computing time of the covariances
   /// Where it was lost and found: for each decision its time, its name, and why.
   std::vector<std::string> decisions;
+};
+
+/// An estimate of the trajectory without ground truth.
+struct EstimateSummary {
+  TrajectoryError error;                 ///< of the final trajectory
+  std::optional<EstimateReport> report;  ///< empty over ROS
 };
 
 /// Metrics and times of one run, whether in one process or over ROS.

@@ -5,6 +5,7 @@
 #include <cstdio>
 #include <cstdlib>
 #include <exception>
+#include <optional>
 #include <stdexcept>
 
 #include "eval/results/trajectory_error.hpp"
@@ -29,14 +30,11 @@ std::string closure_from(const std::string& name) {
   throw std::invalid_argument("parameter closure is '" + name + "', allowed are truth and self");
 }
 
-/// Prints how far an estimated trajectory is from the true one.
-void print_error(const std::vector<StampedPose>& estimate, const std::vector<StampedPose>& truth) {
-  if (estimate.empty() || estimate.size() != truth.size()) return;
-  const TrajectoryError e = trajectory_error(estimate, truth);
-  std::printf(
-      "trajectory estimated without truth: position %.1f cm RMS (largest %.1f; aligned %.1f), "
-      "heading %.2f deg RMS\n",
-      100.0 * e.rmse_m, 100.0 * e.largest_m, 100.0 * e.aligned_rmse_m, e.rmse_deg);
+/// Returns the error of an estimated trajectory; nothing if it lacks poses or the truth does.
+std::optional<EstimateSummary> estimate_of(const Results& results) {
+  const std::vector<StampedPose>& estimate = results.trajectory_after;
+  if (estimate.empty() || estimate.size() != results.trajectory_truth.size()) return std::nullopt;
+  return EstimateSummary{trajectory_error(estimate, results.trajectory_truth), std::nullopt};
 }
 
 struct NodeParameters {
@@ -136,12 +134,11 @@ class ReportNode {
     summary.run = parameters_.summary.run;
     results.world_outlines = outlines_of(parameters_);
     evaluate(results);
+    if (summary.run.closure == "self") summary.estimate = estimate_of(results);
     FileSet files = staged_results(results, parameters_.output);
     draw_figure(Figure::before_after, files.folder(), parameters_.output);
     files.commit();
     std::printf("\n%s", summary_table(summary).c_str());
-    if (summary.run.closure == "self")
-      print_error(results.trajectory_after, results.trajectory_truth);
     std::printf("\nresults in %s\n", parameters_.output.c_str());
     std::fflush(stdout);
     is_done_ = true;

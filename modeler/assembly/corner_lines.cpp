@@ -17,6 +17,14 @@ namespace {
 using Eigen::Vector3d;
 constexpr double kLeastSine = 0.5;  // of the angle between planes with a line in common
 
+/// Returns true if a way from a over b to c goes back on itself: corners that were moved to one
+/// line may change places there.
+bool is_spike(const Vector3d& a, const Vector3d& b, const Vector3d& c) {
+  constexpr double kSine = 1e-6;  // more than rounding leaves
+  const Vector3d there = b - a, back = c - b;
+  return there.dot(back) < 0.0 && there.cross(back).norm() < kSine * there.norm() * back.norm();
+}
+
 /// A plane, and where it was seen.
 struct Seen {
   const Plane* plane;
@@ -46,26 +54,38 @@ class CornerJoiner {
     }
   }
 
-  /// Returns the outlines with moved corners, each as it was if it would overlap itself.
+  /// Returns the outlines with moved corners: each as it was if it would overlap itself, all as
+  /// they were if they would overlap each other.
   std::vector<Outline> joined() const {
     std::vector<Outline> outlines;
     for (const Outline& outline : plane_.outlines) {
       Outline moved{joined(outline.outer), {}};
       for (const auto& hole : outline.holes) moved.holes.push_back(joined(hole));
-      if (!is_valid(area_of(plane_, moved))) moved = outline;
+      if (!is_valid({area_of(plane_, moved)})) moved = outline;
       outlines.push_back(std::move(moved));
     }
-    return outlines;
+    return is_valid(areas_of(plane_, outlines)) ? outlines : plane_.outlines;
   }
 
  private:
   std::vector<Vector3d> joined(const std::vector<Vector3d>& ring) const {
     std::vector<Vector3d> moved;
-    for (const Vector3d& corner : ring) {
-      const Vector3d place = joined(corner);
-      if (moved.empty() || place != moved.back()) moved.push_back(place);
+    moved.reserve(ring.size());
+    for (const Vector3d& corner : ring) moved.push_back(joined(corner));
+    const auto is_superfluous = [&](std::size_t i) {
+      const Vector3d& before = moved[(i + moved.size() - 1) % moved.size()];
+      const Vector3d& after = moved[(i + 1) % moved.size()];
+      return moved[i] == before || is_spike(before, moved[i], after);
+    };
+    // What is left may be superfluous in its turn, a corner before it as well.
+    for (std::size_t i = 0, kept = 0; kept < moved.size() && moved.size() > 2;) {
+      if (is_superfluous(i)) {
+        moved.erase(moved.begin() + static_cast<std::ptrdiff_t>(i));
+        i = (i + moved.size() - 1) % moved.size(), kept = 0;
+      } else {
+        i = (i + 1) % moved.size(), ++kept;
+      }
     }
-    while (moved.size() > 1 && moved.back() == moved.front()) moved.pop_back();
     return moved;
   }
 

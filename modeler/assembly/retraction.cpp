@@ -172,24 +172,13 @@ class PassedCells {
   std::vector<Cell> cells_;
 };
 
-/// Returns for each ribbon the index of its plane, or -1.
-std::vector<std::int32_t> planes_of_ribbons(std::size_t count, const std::vector<Plane>& planes) {
-  std::vector<std::int32_t> result(count, -1);
-  for (std::size_t i = 0; i < planes.size(); ++i) {
-    for (const std::uint32_t ribbon : planes[i].ribbons) {
-      result[ribbon] = static_cast<std::int32_t>(i);
-    }
-  }
-  return result;
-}
-
 /// Counts what the lines say of the cells, in the order of time.
 class Counting {
  public:
   Counting(const std::vector<Plane>& planes, const PosedObservations& observations,
            const AssemblyConfig& config)
       : observations_(observations),
-        plane_of_(planes_of_ribbons(observations.ribbon_count(), planes)) {
+        plane_of_(planes_by_ribbon(observations.ribbon_count(), planes)) {
     for (const Plane& plane : planes) {
       cells_.emplace_back(plane, config);
       boxes_.push_back(cells_.back().box());

@@ -8,22 +8,13 @@
 namespace ribbon_mapper {
 namespace {
 
-/// Returns for each ribbon whether it belongs to a plane.
-std::vector<char> ribbons_on_planes(std::size_t count, const std::vector<Plane>& planes) {
-  std::vector<char> is_on_plane(count, 0);
-  for (const Plane& plane : planes) {
-    for (const std::uint32_t ribbon : plane.ribbons) is_on_plane[ribbon] = 1;
-  }
-  return is_on_plane;
-}
-
 /// Appends what the lines saw, one after the other.
 class SightLinesBuilder {
  public:
   SightLinesBuilder(const PosedObservations& observations, const std::vector<Plane>& planes,
                     const MapsConfig& config, const Eigen::Vector3d& origin)
       : observations_(observations),
-        is_on_plane_(ribbons_on_planes(observations.ribbon_count(), planes)),
+        plane_of_(planes_by_ribbon(observations.ribbon_count(), planes)),
         margin_m_(config.surface_margin_m) {
     result_.origin = origin;
     T_origin_model_ = Eigen::Translation3d(-origin) * observations.T_map_model();
@@ -62,14 +53,14 @@ class SightLinesBuilder {
     result_.fans.push_back({ribbon.point(samples.start_m, 0.0F).cast<float>(),
                             ribbon.point(samples.start_m + samples.length_m(), 0.0F).cast<float>(),
                             static_cast<float>(free_part)});
-    if (is_on_plane_[ribbon_] != 0) return;
+    if (plane_of_[ribbon_] >= 0) return;
     samples.for_each([&](float along_m, float height, std::uint32_t) {
       result_.returns.push_back({ribbon.point(along_m, height).cast<float>(), true});
     });
   }
 
   const PosedObservations& observations_;
-  std::vector<char> is_on_plane_;
+  std::vector<std::int32_t> plane_of_;  // by ribbon, or -1
   double margin_m_;
   Pose T_origin_model_ = Pose::Identity();
   std::size_t ribbon_ = 0;  // the next one

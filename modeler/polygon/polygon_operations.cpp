@@ -14,8 +14,14 @@ namespace {
 template <typename Operation>
 Polygons overlay(const Polygons& a, const Polygons& b, const Operation& operation) {
   const Geos geos;
-  const Geos::Geometry first = geos.multipolygon_of(a), second = geos.multipolygon_of(b);
-  return geos.polygons_in(geos.made(operation(geos.context(), first.get(), second.get())).get());
+  Geos::Geometry first = geos.multipolygon_of(a), second = geos.multipolygon_of(b);
+  GEOSGeometry* result = operation(geos.context(), first.get(), second.get());
+  if (result == nullptr) {  // a ring touches itself, by rounding
+    first = geos.made(GEOSMakeValid_r(geos.context(), first.get()));
+    second = geos.made(GEOSMakeValid_r(geos.context(), second.get()));
+    result = operation(geos.context(), first.get(), second.get());
+  }
+  return geos.polygons_in(geos.made(result).get());
 }
 
 Eigen::Vector2d extent_of(const Ring& ring) {
@@ -42,14 +48,14 @@ Polygons simplified(const Polygons& polygons, double tolerance) {
       geos.made(GEOSTopologyPreserveSimplify_r(geos.context(), all.get(), tolerance)).get());
 }
 
-bool is_valid(const Polygon& polygon) {
+bool is_valid(const Polygons& polygons) {
   const auto is_ring = [](const Ring& ring) { return ring.size() >= 3; };
-  if (!is_ring(polygon.outer) ||
-      !std::all_of(polygon.holes.begin(), polygon.holes.end(), is_ring)) {
-    return false;
+  for (const Polygon& polygon : polygons) {
+    if (!is_ring(polygon.outer)) return false;
+    if (!std::all_of(polygon.holes.begin(), polygon.holes.end(), is_ring)) return false;
   }
   const Geos geos;
-  return GEOSisValid_r(geos.context(), geos.multipolygon_of({polygon}).get()) == 1;
+  return GEOSisValid_r(geos.context(), geos.multipolygon_of(polygons).get()) == 1;
 }
 
 Polygons intersection(const Polygons& a, const Polygons& b) {

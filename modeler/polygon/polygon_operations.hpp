@@ -9,9 +9,10 @@
 
 namespace ribbon_mapper {
 
-// By GEOS (https://libgeos.org). All of these return polygons that are valid by the OGC's Simple
-// Features. They throw std::invalid_argument if a ring has less than three points or one that is
-// not finite, and std::runtime_error with its reason if GEOS refuses.
+// By GEOS (https://libgeos.org). Polygons that rounding has made invalid are mended by it. All of
+// these return polygons that are valid by the OGC's Simple Features. They throw
+// std::invalid_argument if a ring has less than three points or one that is not finite, and
+// std::runtime_error with its reason if GEOS refuses.
 
 /// Returns the areas that are inside an odd number of rings. Rings must not touch each other.
 Polygons polygons_of(const std::vector<Ring>& rings);
@@ -20,8 +21,8 @@ Polygons polygons_of(const std::vector<Ring>& rings);
 /// Holes and parts remain, and none overlap.
 Polygons simplified(const Polygons& polygons, double tolerance);
 
-/// Returns true if the rings of a polygon do not intersect themselves or each other.
-bool is_valid(const Polygon& polygon);
+/// Returns true if no ring intersects itself or another one, and the polygons do not overlap.
+bool is_valid(const Polygons& polygons);
 
 /// Returns the area that is in both.
 Polygons intersection(const Polygons& a, const Polygons& b);

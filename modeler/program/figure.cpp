@@ -12,6 +12,7 @@
 #include <string>
 
 #include "modeler/program/installed_files.hpp"
+#include "modeler/program/progress_bar.hpp"
 
 namespace ribbon_mapper {
 namespace {
@@ -60,7 +61,7 @@ std::string files_of(Figure figure) {
 bool draw_figure(Figure figure, const std::filesystem::path& directory,
                  const std::filesystem::path& later) {
   const std::string name = name_of(figure);
-  if (isatty(STDERR_FILENO) == 1) std::fprintf(stderr, "drawing %s ...\n", name.c_str());
+  tell_terminal("drawing " + name);
   const auto script = installed_directory() / "eval" / "figures" / (name + ".py");
   if (run(RIBBON_MAPPER_PYTHON, script.string(), directory.string()) == 0) return true;
   std::fprintf(stderr,

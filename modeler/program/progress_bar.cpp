@@ -32,10 +32,15 @@ std::string figures(const Progress& progress) {
   return text.data();
 }
 
+bool is_on_terminal() { return isatty(STDERR_FILENO) == 1; }
+
 }  // namespace
 
-ProgressBar::ProgressBar()
-    : on_terminal_(isatty(STDERR_FILENO) == 1), step_percent_(on_terminal_ ? 1 : 10) {}
+void tell_terminal(const std::string& what) {
+  if (is_on_terminal()) std::fprintf(stderr, "%s ...\n", what.c_str());
+}
+
+ProgressBar::ProgressBar() : on_terminal_(is_on_terminal()), step_percent_(on_terminal_ ? 1 : 10) {}
 
 ProgressBar::~ProgressBar() { wipe(); }
 

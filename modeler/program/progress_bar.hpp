@@ -9,6 +9,9 @@
 
 namespace ribbon_mapper {
 
+/// Says on stderr what takes its time, if a person looks at it.
+void tell_terminal(const std::string& what);
+
 /// Shows progress on stderr: as a moving bar on a terminal, as a line for every 10 % elsewhere.
 class ProgressBar {
  public:

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <cstddef>
 #include <cstdint>
 #include <vector>
 
@@ -49,6 +50,9 @@ struct Plane {
   /// Boundaries of what was seen, on the plane. The first point of each is not repeated.
   std::vector<Outline> outlines;
 };
+
+/// Returns for each of `count` ribbons the index of its plane, or -1.
+std::vector<std::int32_t> planes_by_ribbon(std::size_t count, const std::vector<Plane>& planes);
 
 /// Returns the centre of a cell in the map frame, on the plane.
 inline Eigen::Vector3d cell_centre(const Plane& plane, const PlaneCell& cell) {

@@ -8,6 +8,7 @@
 
 #include "modeler/io/tum.hpp"
 #include "modeler/program/installed_files.hpp"
+#include "modeler/program/interrupt.hpp"
 #include "modeler/program/progress_bar.hpp"
 #include "modeler/program/run_program.hpp"
 #include "modeler/program/version.hpp"
@@ -82,11 +83,17 @@ void run(Options& options) {
   for (const std::string& warning : world.warnings())
     std::fprintf(stderr, "warning: world %s: %s\n", options.world.c_str(), warning.c_str());
   std::vector<StampedPose> truth;
-  {
+  std::size_t recorded = 0;
+  try {
     ProgressBar bar;
     truth = sim::record_tour(tour, options.recorder, options.bag, [&](std::size_t lines) {
+      recorded = lines;
       bar.show({lines, tour.line_count()});
+      stop_if_interrupted();
     });
+  } catch (const Interrupted&) {
+    throw Interrupted("interrupted, " + std::to_string(recorded) + " of " +
+                      std::to_string(tour.line_count()) + " lines are in " + options.bag);
   }
   std::printf("%zu lines in %s\n", truth.size(), options.bag.c_str());
   if (options.truth.empty()) return;
@@ -107,6 +114,7 @@ int main(int argc, char** argv) {
     } catch (const CLI::ParseError& error) {
       return app.exit(error) == 0 ? 0 : 2;
     }
+    watch_interrupts();
     run(options);
     return 0;
   });

@@ -93,6 +93,7 @@ ROOMS = {
     "sim/ros": Room(_SIM + _POSE + ["modeler/ros/messages/message_conversions.hpp",
                                     "modeler/ros/node/strict_parameters.hpp",
                                     "modeler/program/installed_files.hpp",
+                                    "modeler/program/interrupt.hpp",
                                     "modeler/program/progress_bar.hpp",
                                     "modeler/program/run_program.hpp",
                                     "modeler/program/version.hpp",

@@ -80,7 +80,7 @@ Summary self_corrected(std::uint64_t seed, const std::string& odometry_faults) {
 /// what is in view.
 TEST(SelfClosure, MovesNothingOntoParallelWalls) {
   const Summary summary = self_corrected(3, "");
-  EXPECT_THAT(summary.estimate->decisions, testing::IsEmpty());
+  EXPECT_THAT(summary.estimate->report->decisions, testing::IsEmpty());
   EXPECT_LT(summary.estimate->error.rmse_m, 0.03);
   EXPECT_EQ(summary.metrics.corrected.matched, 22U);
 }
@@ -89,7 +89,7 @@ TEST(SelfClosure, MovesNothingOntoParallelWalls) {
 /// left those before them where they were.
 TEST(SelfClosure, FindsASlipInANewRoomFromItsBeginning) {
   const Summary summary = self_corrected(32, "slip=150:20");
-  EXPECT_THAT(summary.estimate->decisions, testing::Contains(testing::HasSubstr("found")));
+  EXPECT_THAT(summary.estimate->report->decisions, testing::Contains(testing::HasSubstr("found")));
   EXPECT_LT(summary.estimate->error.rmse_m, 0.03);
   EXPECT_EQ(summary.metrics.corrected.matched, 22U);
 }
@@ -98,7 +98,7 @@ TEST(SelfClosure, FindsASlipInANewRoomFromItsBeginning) {
 /// 87 s later, and belongs to the contradiction.
 TEST(SelfClosure, MovesAllThatCameAfterAContradiction) {
   const Summary summary = self_corrected(31, "shift=45:0.5");
-  EXPECT_THAT(summary.estimate->decisions, testing::Contains(testing::HasSubstr("found")));
+  EXPECT_THAT(summary.estimate->report->decisions, testing::Contains(testing::HasSubstr("found")));
   EXPECT_LT(summary.estimate->error.rmse_m, 0.03);
   EXPECT_EQ(summary.metrics.corrected.matched, 22U);
 }

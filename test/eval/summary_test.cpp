@@ -206,8 +206,13 @@ TEST(SummaryJson, StatesHowSureAnEstimateIs) {
   Summary s = sample();
   EXPECT_FALSE(json::parse(summary_to_json(s)).contains("estimate"));
   s.estimate.emplace();
-  s.estimate->precision = {0.01, 0.02, 0.3, 0.4};
-  s.estimate->nees = 0.75;
+  s.estimate->error.rmse_m = 0.05;
+  EXPECT_EQ(json::parse(summary_to_json(s)).at("estimate").at("rmse_m"), 0.05);
+  EXPECT_FALSE(json::parse(summary_to_json(s)).at("estimate").contains("nees"));
+  EXPECT_NE(summary_table(s).find("position 5.0 cm RMS"), std::string::npos);
+  s.estimate->report.emplace();
+  s.estimate->report->precision = {0.01, 0.02, 0.3, 0.4};
+  s.estimate->report->nees = 0.75;
   const json estimate = json::parse(summary_to_json(s)).at("estimate");
   EXPECT_EQ(estimate.at("position_sigma_m_median"), 0.01);
   EXPECT_EQ(estimate.at("position_sigma_m_largest"), 0.02);

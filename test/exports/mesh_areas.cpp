@@ -9,21 +9,14 @@
 #include <assimp/Importer.hpp>
 #include <cstdio>
 
-namespace {
+#include "test/mesh/mesh_area.hpp"
 
-double area_m2(const aiMesh& mesh) {
-  double sum = 0.0;
-  for (unsigned i = 0; i < mesh.mNumFaces; ++i) {
-    const unsigned* corners = mesh.mFaces[i].mIndices;
-    const aiVector3D a = mesh.mVertices[corners[0]];
-    sum += 0.5 * ((mesh.mVertices[corners[1]] - a) ^ (mesh.mVertices[corners[2]] - a)).Length();
-  }
-  return sum;
-}
+namespace {
 
 void print(const aiScene& scene, const aiNode& node) {
   for (unsigned i = 0; i < node.mNumMeshes; ++i) {
-    std::printf("%.6f %s\n", area_m2(*scene.mMeshes[node.mMeshes[i]]), node.mName.C_Str());
+    std::printf("%.6f %s\n", ribbon_mapper::triangles_m2(*scene.mMeshes[node.mMeshes[i]]),
+                node.mName.C_Str());
   }
   for (unsigned i = 0; i < node.mNumChildren; ++i) print(scene, *node.mChildren[i]);
 }

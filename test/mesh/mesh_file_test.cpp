@@ -13,6 +13,7 @@
 
 #include "modeler/surface/outline.hpp"
 #include "test/io/temporary_directory.hpp"
+#include "test/mesh/mesh_area.hpp"
 
 namespace ribbon_mapper {
 namespace {
@@ -45,16 +46,6 @@ double area_m2(const PlaneMesh& mesh) {
   return sum;
 }
 
-double area_m2(const aiMesh& mesh) {
-  double sum = 0.0;
-  for (unsigned i = 0; i < mesh.mNumFaces; ++i) {
-    const unsigned* corners = mesh.mFaces[i].mIndices;
-    const aiVector3D a = mesh.mVertices[corners[0]];
-    sum += 0.5 * ((mesh.mVertices[corners[1]] - a) ^ (mesh.mVertices[corners[2]] - a)).Length();
-  }
-  return sum;
-}
-
 /// What assimp's importer finds in files.
 struct Opened {
   std::multiset<std::string> names;  // of the objects
@@ -67,7 +58,7 @@ void visit(const aiScene& scene, const aiNode& node, const aiMatrix4x4& parent, 
   for (unsigned i = 0; i < node.mNumMeshes; ++i) {
     const aiMesh& mesh = *scene.mMeshes[node.mMeshes[i]];
     opened.names.insert(node.mName.C_Str());
-    opened.area_m2 += area_m2(mesh);
+    opened.area_m2 += triangles_m2(mesh);
     for (unsigned v = 0; v < mesh.mNumVertices; ++v) {
       const aiVector3D place = transform * mesh.mVertices[v];
       for (unsigned axis = 0; axis < 3; ++axis) {

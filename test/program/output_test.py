@@ -3,6 +3,8 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """What a program cannot print is a failure: exit code 1 and a message. Usage: output_test.py PROGRAM..."""
 import pathlib
+import re
+import signal
 import subprocess
 import sys
 import tempfile
@@ -56,6 +58,22 @@ class Output(unittest.TestCase):
                 found = run(program, arguments, subprocess.PIPE)
                 self.assertEqual(found.returncode, 1, program)
                 self.assertIn("name of the output directory is empty", found.stderr)
+
+    def test_a_recording_that_is_stopped_is_a_bag(self):
+        with tempfile.TemporaryDirectory() as folder:
+            bag = pathlib.Path(folder) / "a.bag"
+            flat = ["--world", "worlds/apartment.sdf", "--route", "worlds/apartment.route.yaml"]
+            with subprocess.Popen([PROGRAMS["record_tour"], *flat, "--bag", bag], text=True,
+                                  stderr=subprocess.PIPE) as recording:
+                for line in recording.stderr:
+                    if " 10 %" in line:
+                        break
+                recording.send_signal(signal.SIGINT)
+                said = recording.stderr.read()
+            self.assertEqual(recording.returncode, 130, said)
+            recorded = int(re.search(r"interrupted, (\d+) of 9456 lines are in", said).group(1))
+            checked = run("bag_check", [bag], subprocess.PIPE)
+            self.assertIn(f"/tilt_scan: {recorded} messages", checked.stdout)
 
 
 if __name__ == "__main__":

@@ -3,28 +3,18 @@
 //
 // Checks whether a bag can be mapped: see `bag_check --help`.
 
-#include <unistd.h>
-
 #include <cstdio>
 #include <variant>
 
 #include "modeler/io/config_file.hpp"
 #include "modeler/program/installed_files.hpp"
+#include "modeler/program/progress_bar.hpp"
 #include "modeler/program/run_program.hpp"
 #include "modeler/ros/bag_check/bag_check.hpp"
 #include "modeler/ros/bag_check/bag_check_options.hpp"
 #include "modeler/ros/bag_check/preset_proposal.hpp"
 #include "modeler/ros/bag_check/time_offset.hpp"
 #include "modeler/storage/atomic_file.hpp"
-
-namespace {
-
-/// Says what takes its time, to a person.
-void say(const char* what) {
-  if (isatty(STDERR_FILENO) == 1) std::fprintf(stderr, "%s ...\n", what);
-}
-
-}  // namespace
 
 int main(int argc, char** argv) {
   using namespace ribbon_mapper;
@@ -35,10 +25,10 @@ int main(int argc, char** argv) {
     ros::Time::init();
     const std::string preset = find_installed_file(options.config).string();
     const ModelerConfig config = load_config(preset);
-    say("reading the scans and transforms");
+    tell_terminal("reading the scans and transforms");
     BagReport report = check_bags(options.bags, options.bag, config);
     if (report.can_be_mapped()) {
-      say("comparing both for an offset of their clocks");
+      tell_terminal("comparing both for an offset of their clocks");
       report_time_offset(options.bags, options.bag, preset, report);
     }
     std::fputs(report.text().c_str(), stdout);

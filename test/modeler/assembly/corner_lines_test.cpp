@@ -91,6 +91,19 @@ TEST(CornerLines, LeaveAnOutlineThatWouldOverlapItself) {
   EXPECT_EQ(planes[0].outlines[0].outer, before);
 }
 
+/// Two corners near the line lie behind each other: on the line, the way would go back on itself.
+TEST(CornerLines, AreNotGoneForAndBack) {
+  std::vector<Plane> planes = floor_and_wall(0.0, 0.05);
+  planes[0].outlines[0].outer = {{0.05, 0, 0}, {4, 0, 0},    {4, 3, 0},     {0.05, 3, 0},
+                                 {0.06, 1, 0}, {0.03, 2, 0}, {0.02, 0.5, 0}};
+  join_at_corner_lines(planes, kReach_m);
+  const auto& ring = planes[0].outlines.at(0).outer;
+  ASSERT_EQ(ring.size(), 6U);
+  EXPECT_NEAR((ring.at(3) - Vector3d(0, 3, 0)).norm(), 0.0, 1e-12);
+  EXPECT_NEAR((ring.at(4) - Vector3d(0, 2, 0)).norm(), 0.0, 1e-12);
+  EXPECT_NEAR((ring.at(5) - Vector3d(0, 0.5, 0)).norm(), 0.0, 1e-12);
+}
+
 TEST(CornerLines, KeepCornersOnTheirPlanes) {
   std::vector<Plane> planes = floor_and_wall(0.05, -0.05);
   planes.push_back(rectangle({0, 3, 0}, {0, 0, 2.5}, {4, 0.4, 0}));

@@ -77,10 +77,28 @@ TEST(Polygons, HaveAnInmostPointThatIsInside) {
 }
 
 TEST(Polygons, AreValidIfTheirRingsDoNotIntersect) {
-  EXPECT_TRUE(is_valid(kSquare[0]));
-  EXPECT_FALSE(is_valid({{{0, 0}, {1, 1}, {1, 0}, {0, 1}}, {}}));
-  EXPECT_FALSE(is_valid({box(0, 0, 4, 4), {box(3, 3, 2, 2)}}));
-  EXPECT_FALSE(is_valid({{{0, 0}, {1, 1}}, {}}));
+  EXPECT_TRUE(is_valid(kSquare));
+  EXPECT_FALSE(is_valid({{{{0, 0}, {1, 1}, {1, 0}, {0, 1}}, {}}}));
+  EXPECT_FALSE(is_valid({{box(0, 0, 4, 4), {box(3, 3, 2, 2)}}}));
+  EXPECT_FALSE(is_valid({{{{0, 0}, {1, 1}}, {}}}));
+  EXPECT_FALSE(is_valid({{box(0, 0, 4, 4), {}}, {box(3, 0, 4, 4), {}}})) << "they overlap";
+}
+
+/// The outline of a plane that was projected on another one, with a fold that rounding has opened.
+TEST(Polygons, WhoseRingsTouchThemselvesByRoundingAreMended) {
+  const Polygons folded{{{{5.300513, 2.502775},
+                          {5.300523, 2.502775},
+                          {4.800523, 2.502872},
+                          {4.750542, 2.502882},
+                          {4.950542, 2.502843},
+                          {4.950523, 2.353607},
+                          {5.802524, 2.353658},
+                          {5.802375, 2.502677}},
+                         {}}};
+  ASSERT_FALSE(is_valid(folded));
+  const Polygons around{{box(4, 2, 2, 1), {}}};
+  EXPECT_NEAR(0.127, area(intersection(folded, around)), 0.001);
+  EXPECT_NEAR(2.0, area(united(folded, around)), 0.001);
 }
 
 TEST(Polygons, ThatAreNoneSayWhy) {
