@@ -18,7 +18,7 @@ from std_srvs.srv import Trigger
 
 from program import Program
 from robot_before_a_wall import Robot
-from waiting import eventually, service
+from waiting import eventually, reaches, service
 
 CONFIG = os.path.join(rospkg.RosPack().get_path('ribbon_mapper'), 'config/pr2.yaml')
 LINES = 100
@@ -51,7 +51,7 @@ class LoadTest(unittest.TestCase):
     def start(self, *arguments):
         """Starts a modeler under a name of its own, because parameters outlive their node."""
         LoadTest.starts += 1
-        name = 'modeler_%d' % LoadTest.starts
+        self.name = name = 'modeler_%d' % LoadTest.starts
         self.nodes.append(Program('modeler', name, 'scan:=tilt_scan', '_config:=' + CONFIG,
                                   '_output_dir:=' + self.folder.name, *arguments))
         self.get_model = service(name + '/get_model', GetModel)
@@ -72,7 +72,7 @@ class LoadTest(unittest.TestCase):
 
     def take_lines(self):
         """Takes the first lines of a run."""
-        self.assertTrue(eventually(self.robot.connected))
+        self.assertTrue(eventually(lambda: self.robot.reaches(self.name)))
         self.robot.take(LINES)
         self.assertTrue(eventually(lambda: self.model().lines == LINES), self.model().lines)
         self.assertTrue(eventually(lambda: self.model().ribbons > 50), self.model().ribbons)
@@ -95,7 +95,7 @@ class LoadTest(unittest.TestCase):
             pose.pose.position.x, pose.pose.orientation.w = x, 1.0
             path.poses.append(pose)
         revision = self.model().planes.revision
-        self.assertTrue(eventually(lambda: self.corrected.get_num_connections() > 0))
+        self.assertTrue(eventually(lambda: reaches(self.corrected, self.name)))
         self.corrected.publish(path)
         self.assertTrue(eventually(lambda: self.model().planes.revision == revision + 1))
 

@@ -24,6 +24,7 @@ class Modeler:
     """A modeler node with its service."""
 
     def __init__(self, name):
+        self.name = name
         self.program = Program('modeler', name, 'scan:=tilt_scan', '_config:=' + CONFIG)
         self.get_model = service(name + '/get_model', GetModel)
 
@@ -35,23 +36,27 @@ class Modeler:
 
 
 class Restart(unittest.TestCase):
+    starts = 0
+
     def setUp(self):
         self.clock = SimulatedClock()
         self.robot = Robot()
         self.modelers = []
-        self.old = self.start('modeler')
+        self.old = self.start()
         self.play(self.take_lines)
         self.assertTrue(eventually(lambda: self.old.model().ribbons > 50), self.old.model())
-        Diagnostics().wait_until_handled(LINES)
+        Diagnostics(self.old.name).wait_until_handled(LINES)
         self.first = self.old.model()
 
     def tearDown(self):
         for modeler in self.modelers:
             self.assertNotIn('TF_', modeler.program.stop())
 
-    def start(self, name):
-        self.modelers.append(Modeler(name))
-        self.assertTrue(eventually(lambda: self.robot.connected(nodes=len(self.modelers))))
+    def start(self):
+        """Starts a modeler under a name that no node had before."""
+        Restart.starts += 1
+        self.modelers.append(Modeler('modeler_%d' % Restart.starts))
+        self.assertTrue(eventually(lambda: self.robot.reaches(self.modelers[-1].name)))
         return self.modelers[-1]
 
     def set_clock(self, line):
@@ -91,7 +96,7 @@ class Restart(unittest.TestCase):
     def test_the_second_run_gives_the_model_of_a_fresh_node(self):
         self.robot.x = 1.0
         self.set_clock(0)
-        fresh = self.start('fresh')
+        fresh = self.start()
         self.play(self.scans_before_transforms)
         for modeler in (self.old, fresh):
             self.assert_like_the_first(modeler, shift=1.0)
@@ -107,7 +112,7 @@ class Restart(unittest.TestCase):
             self.set_clock(LINES)
 
     def test_nothing_is_dropped_while_the_clock_stands_still(self):
-        diagnostics = Diagnostics()
+        diagnostics = Diagnostics(self.old.name)
         line = self.robot.line
         self.robot.publish_scan(self.robot.scan(line + 1))
 

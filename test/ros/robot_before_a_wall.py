@@ -8,6 +8,8 @@ from geometry_msgs.msg import TransformStamped
 from sensor_msgs.msg import LaserScan
 from tf2_msgs.msg import TFMessage
 
+from waiting import reaches
+
 BEAMS = 101
 HALF_ANGLE = 0.5
 PERIOD = 0.025
@@ -29,6 +31,10 @@ class Robot:
     def connected(self, nodes=1):
         """Returns whether so many nodes receive transforms and scans."""
         return all(publisher.get_num_connections() >= nodes for publisher in (self.tf, self.scans))
+
+    def reaches(self, node):
+        """Returns whether a node receives transforms and scans, by its name in the graph."""
+        return all(reaches(publisher, node) for publisher in (self.tf, self.scans))
 
     @staticmethod
     def stamp(line):

@@ -26,6 +26,12 @@ def service(name, service_type):
     return rospy.ServiceProxy(name, service_type)
 
 
+def reaches(publisher, node):
+    """Returns whether a publisher is connected to a node, by its name in the graph. The connections
+    of a node that was killed are counted until something is written to them."""
+    return '/' + node in [connection.endpoint_id for connection in publisher.impl.connections]
+
+
 class Latest:
     """The messages of a topic in the order of their arrival."""
 
