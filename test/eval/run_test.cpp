@@ -67,42 +67,6 @@ TEST(Run, FindsADoorAjarBesideItsWall) {
   }
 }
 
-/// A tour that the estimate of the trajectory corrects.
-Summary self_corrected(std::uint64_t seed, const std::string& odometry_faults) {
-  RunOptions run;
-  run.closure = "self";
-  run.seed = seed;
-  run.odometry_faults = odometry_faults;
-  return make_run(run, [](const Progress&) {}).summary;
-}
-
-/// Here, a move of 0.9 m would put the first walls of a new room on those of an old one: a third of
-/// what is in view.
-TEST(SelfClosure, MovesNothingOntoParallelWalls) {
-  const Summary summary = self_corrected(3, "");
-  EXPECT_THAT(summary.estimate->report->decisions, testing::IsEmpty());
-  EXPECT_LT(summary.estimate->error.rmse_m, 0.03);
-  EXPECT_EQ(summary.metrics.corrected.matched, 22U);
-}
-
-/// The slip happens in a room that was entered 20 s before. Found from the newest lines alone, it
-/// left those before them where they were.
-TEST(SelfClosure, FindsASlipInANewRoomFromItsBeginning) {
-  const Summary summary = self_corrected(32, "slip=150:20");
-  EXPECT_THAT(summary.estimate->report->decisions, testing::Contains(testing::HasSubstr("found")));
-  EXPECT_LT(summary.estimate->error.rmse_m, 0.03);
-  EXPECT_EQ(summary.metrics.corrected.matched, 22U);
-}
-
-/// The walls of then do not tell the move, but they contradict what is in view. The move is found
-/// 87 s later, and belongs to the contradiction.
-TEST(SelfClosure, MovesAllThatCameAfterAContradiction) {
-  const Summary summary = self_corrected(31, "shift=45:0.5");
-  EXPECT_THAT(summary.estimate->report->decisions, testing::Contains(testing::HasSubstr("found")));
-  EXPECT_LT(summary.estimate->error.rmse_m, 0.03);
-  EXPECT_EQ(summary.metrics.corrected.matched, 22U);
-}
-
 TEST(Route, RestsBeforeItStarts) {
   const std::vector<Eigen::Vector2d> way{{0.0, 0.0}, {1.0, 0.0}};
   const sim::Route at_once(0.5, 1.0, way), later(0.5, 1.0, way, 4.0);
