@@ -64,7 +64,8 @@ class CornerJoiner {
       if (!is_valid({area_of(plane_, moved)})) moved = outline;
       outlines.push_back(std::move(moved));
     }
-    return is_valid(areas_of(plane_, outlines)) ? outlines : plane_.outlines;
+    const bool is_whole = outlines.size() < 2 || is_valid(areas_of(plane_, outlines));
+    return is_whole ? outlines : plane_.outlines;
   }
 
  private:

@@ -9,10 +9,10 @@
 
 namespace ribbon_mapper {
 
-// By GEOS (https://libgeos.org). Polygons that rounding has made invalid are mended by it. All of
-// these return polygons that are valid by the OGC's Simple Features. They throw
-// std::invalid_argument if a ring has less than three points or one that is not finite, and
-// std::runtime_error with its reason if GEOS refuses.
+// By GEOS (https://libgeos.org). All of these return polygons that are valid by the OGC's Simple
+// Features. They throw std::invalid_argument if a ring has less than three points or one that is
+// not finite, and std::runtime_error with its reason if GEOS refuses. Intersection, union and
+// difference mend polygons that rounding has made invalid.
 
 /// Returns the areas that are inside an odd number of rings. Rings must not touch each other.
 Polygons polygons_of(const std::vector<Ring>& rings);

@@ -34,7 +34,7 @@ std::string text_of(const PlaceMove& move) {
 
 /// Returns true if what is in view cannot be new ground: known walls would stand before it.
 bool is_contradiction(const Agreement& agreement, const RelocaliserConfig& config) {
-  return agreement.pierced() >= config.pierced_share && agreement.known() < 0.5;
+  return agreement.pierced() >= config.pierced_share && agreement.known() < config.least_known;
 }
 
 /// Returns the lines from `first` on within a time, and before `end`.
