@@ -67,6 +67,21 @@ class Files(unittest.TestCase):
             self.assertIn('/pr2_simulator/model_path', paths, file)
             self.assertEqual(set(paths.values()), {'/a:/b'}, file)
 
+    def test_launch_files_hand_their_arguments_on(self):
+        for file in shipped('launch/*.launch'):
+            arguments = roslaunch.arg_dump.get_args([file])
+            if 'mesh_formats' in arguments:
+                given = loaded(file, ['mesh_formats:=glb', 'map_period:=3']).params
+                self.assertEqual(given['/modeler/mesh_formats'].value, 'glb', file)
+                self.assertEqual(given['/modeler/map_period'].value, 3.0, file)
+
+    def test_a_replay_filters_tf_once(self):
+        file = os.path.join(PACKAGE, 'launch/pr2_replay.launch')
+        given = loaded(file, ['bag:=a.bag', 'slam:=true', 'tf:=/r/tf', 'tf_drop_frames:=map']).params
+        self.assertEqual(given['/tf_filter/drop_frames'].value, 'map')
+        self.assertEqual(given['/modeler/tf_drop_frames'].value, '', "slam's own map -> odom counts")
+        self.assertEqual(given['/slam/tf_drop_frames'].value, '')
+
     def test_bags_may_be_relative_to_the_folder_of_the_command(self):
         file = os.path.join(PACKAGE, 'launch/pr2_replay.launch')
         player = next(node for node in loaded(file, ['bag:=a.bag /b/c.bag d.bag']).nodes
