@@ -27,7 +27,9 @@ std::string model_file(const std::string& path) {
 std::unique_ptr<SdfFile> world_file(const std::string& path) {
   const std::string prefix = "world " + path + ": ";
   if (!fs::is_regular_file(path))
-    throw std::runtime_error(prefix + "no such file; give the path of an SDF world");
+    throw std::runtime_error(prefix +
+                             "no such file; give the path of an SDF world, or a shipped one such "
+                             "as worlds/apartment.sdf");
   try {
     return std::make_unique<SdfFile>(path);
   } catch (const std::runtime_error& error) {
