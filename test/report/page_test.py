@@ -102,6 +102,24 @@ class PageTest(unittest.TestCase):
         in_hole, floor = self.colour_at((4.0, 1.5, 0.7)), self.colour_at(FLOOR)
         self.assertEqual(in_hole, floor)
 
+    def test_names_do_not_cover_each_other(self):
+        self.open("room.html")
+        shown = self.browser.run("""(() => {
+            const at = (i) => new THREE.Vector3(0.1 * i, 0.07 * i, 0);
+            const kinds = ["room", "plane"];
+            report.stage.setTags([...Array(40).keys()].map((i) =>
+                ({text: `room ${i}, 20.3 m²`, kind: kinds[i % 2], point: at(i)})));
+            report.stage.draw();
+            return [...document.querySelectorAll("#tags span")]
+                .filter((span) => span.style.display !== "none")
+                .map((span) => span.getBoundingClientRect())
+                .map((box) => [box.left, box.top, box.right, box.bottom]); })()""")
+        self.assertGreater(len(shown), 2)
+        for i, a in enumerate(shown):
+            for b in shown[:i]:
+                is_apart = a[2] <= b[0] or b[2] <= a[0] or a[3] <= b[1] or b[3] <= a[1]
+                self.assertTrue(is_apart, f"{a} covers {b}")
+
     def test_the_ceiling_is_shown_on_demand_only(self):
         self.open("room.html")
         self.browser.run("document.querySelector('#show_path').click()")

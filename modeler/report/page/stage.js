@@ -131,6 +131,7 @@ class Stage {
   setTags(tags) {
     this.tags = tags.map((tag) => ({...tag, node: element("span", {className: tag.kind}, tag.text)}));
     byId("tags").replaceChildren(...this.tags.map((tag) => tag.node));
+    for (const tag of this.tags) tag.box = tag.node.getBoundingClientRect();
     this.change();
   }
 
@@ -139,12 +140,12 @@ class Stage {
     for (const tag of this.tags) {
       const at = this.project(tag.point);
       const away = tag.normal && tag.normal.dot(this.camera.position.clone().sub(tag.point)) < 0;
-      const width = 7 * tag.text.length + 10;
-      const hidden = !at || away || taken.some(([x, y, w]) =>
-        Math.abs(at[0] - x) < (width + w) / 2 && Math.abs(at[1] - y) < 18);
+      const {width, height} = tag.box;
+      const hidden = !at || away || taken.some(([x, y, w, h]) =>
+        Math.abs(at[0] - x) < (width + w) / 2 && Math.abs(at[1] - y) < (height + h) / 2);
       tag.node.style.display = hidden ? "none" : "";
       if (hidden) continue;
-      taken.push([at[0], at[1], width]);
+      taken.push([at[0], at[1], width, height]);
       tag.node.style.transform = `translate(${at[0]}px, ${at[1]}px) translate(-50%, -50%)`;
     }
   }
