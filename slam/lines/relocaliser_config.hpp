@@ -17,12 +17,12 @@ struct RelocaliserConfig {
   double known_share = 0.9;     ///< ground is known if so much of it is, and
   double pierced_share = 0.05;  ///< no more than this is seen through known walls
 
-  /// Largest distance of a move [m]: the PR2 drives 1 m/s, and is pushed for 1.5 s. Rooms that look
-  /// alike are farther apart.
+  /// Largest distance of a move where it begins [m]: the PR2 drives 1 m/s, and is pushed for 1.5 s.
+  /// Rooms that look alike are farther apart.
   double radius_m = 1.5;
-  /// Largest angle of a move [deg]: a slip of 20 degrees, or a push while the robot turns by 0.6
-  /// rad/s for a second.
-  double angle_deg = 40.0;
+  /// Largest angle of a move [deg]: a push while the robot turns by 0.6 rad/s for two seconds is 69
+  /// degrees. Rooms that are turned by 90 degrees look alike.
+  double angle_deg = 75.0;
   /// The same for drift: standard deviations of the odometry since the place was seen. Three, as in
   /// other gates.
   double drift_sigmas = 3.0;

@@ -12,7 +12,7 @@
 namespace ribbon_mapper::slam {
 namespace {
 
-constexpr std::size_t kMostBreaks = 3;  // each costs a search
+constexpr std::size_t kMostBreaks = 6;  // each costs a search
 constexpr double kSameScene_m = 2.0;    // a quarter of the context's radius
 constexpr double kNothing = 0.1;        // share of known walls that may be chance
 
@@ -174,8 +174,14 @@ void MoveFinder::ask(const Question& question, const PosedLines& lines, const Kn
   if (question.range.end == lines.size() && is_contradiction(now, config)) {
     finding_.doubt = text_of(now);
   }
-  const std::vector<PlaceMove> moves = find_moves(lines, question.range, scene, settings_.estimate);
-  if (!moves.empty()) judge(question, moves, lines, scene);
+  const auto search_about = [&](std::uint32_t pivot_line) {
+    const std::vector<PlaceMove> moves =
+        find_moves(lines, question.range, pivot_line, scene, settings_.estimate);
+    if (!moves.empty()) judge(question, moves, lines, scene);
+  };
+  search_about(question.range.end - 1);
+  // A slip a long way back has moved the newest lines farther than the window is wide.
+  if (is_contradiction(now, config)) search_about(question.torn_from);
 }
 
 void MoveFinder::judge(const Question& question, const std::vector<PlaceMove>& moves,

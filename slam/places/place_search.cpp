@@ -63,21 +63,27 @@ Agreement agreement_of(const PosedLines& lines, const LineRange& range, const Po
 }
 
 std::vector<PlaceMove> find_moves(const PosedLines& lines, const LineRange& range,
-                                  const KnownScene& scene, const EstimateConfig& config) {
+                                  std::uint32_t pivot_line, const KnownScene& scene,
+                                  const EstimateConfig& config) {
   const RelocaliserConfig& limits = config.relocaliser;
   const PlanarPose here = planar_of(lines.T_start_base(range.end - 1));
-  LevelPoints points;  // as seen from the newest line
-  append_moved(thinned(wall_points(lines, range), kSpacing_m), inverse(here), points);
+  const PlanarPose pivot = planar_of(lines.T_start_base(pivot_line));
+  const LevelPoints seen = thinned(wall_points(lines, range), kSpacing_m);
+  LevelPoints points, points_from_pivot;
+  append_moved(seen, inverse(here), points);
+  append_moved(seen, inverse(pivot), points_from_pivot);
   const LevelPoints known = thinned(scene.points(), 0.5 * kSpacing_m);
   const auto found = CorrelativeSearch(known).find(
-      points, here, {limits.radius_m, limits.angle_deg * kDegree, limits.least_score},
+      points_from_pivot, pivot, {limits.radius_m, limits.angle_deg * kDegree, limits.least_score},
       limits.second_share);
   if (!found) return {};
   const SurfaceMap surfaces(known);
   std::vector<PlaceMove> moves;
-  const auto add = [&](const PlanarPose& guess) {
-    const double most = std::max(std::abs(guess.x_m - here.x_m), std::abs(guess.y_m - here.y_m));
+  const auto add = [&](const PlanarPose& moved_pivot) {
+    const double most =
+        std::max(std::abs(moved_pivot.x_m - pivot.x_m), std::abs(moved_pivot.y_m - pivot.y_m));
     if (most > limits.radius_m - kSame_m) return;  // the peak may lie outside
+    const PlanarPose guess = moved_pivot * relative(pivot, here);
     const PlanarPose there = match(points, surfaces, guess, std::nullopt, MatchConfig{}).T_map_base;
     const PlanarPose slid = relative(guess, there);
     if (slid.translation().norm() > kMaxSlide_m || std::abs(slid.yaw_rad) > kMaxSlide_rad) return;

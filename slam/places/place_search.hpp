@@ -45,8 +45,10 @@ struct PlaceMove {
 };
 
 /// Returns the moves within a window that put most ribbons of some lines on known walls, the best
-/// first: one, or two if another one puts nearly as much there, or none.
+/// first: one, or two if another one puts nearly as much there, or none. The window is about the
+/// pose of `pivot_line`: a slip there turns all later poses about it.
 std::vector<PlaceMove> find_moves(const PosedLines& lines, const LineRange& range,
-                                  const KnownScene& scene, const EstimateConfig& config);
+                                  std::uint32_t pivot_line, const KnownScene& scene,
+                                  const EstimateConfig& config);
 
 }  // namespace ribbon_mapper::slam

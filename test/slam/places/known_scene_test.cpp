@@ -84,12 +84,34 @@ TEST(PlaceSearch, FindsTheMoveThatWasMade) {
   for (std::uint32_t i = 160; i < room.lines.size(); ++i) {
     room.lines.set_pose(i, move * room.lines.T_start_base(i));
   }
-  const auto moves =
-      find_moves(room.lines, {160, room.lines.size()}, scene, room.settings.estimate);
+  const LineRange range{160, room.lines.size()};
+  const auto moves = find_moves(room.lines, range, range.end - 1, scene, room.settings.estimate);
   ASSERT_EQ(moves.size(), 1U);
   EXPECT_GT(moves.front().agreement.known(), 0.9);
   const Pose rest = moves.front().T_start_start * move;
   EXPECT_LT(rest.translation().norm(), 0.02);
+  EXPECT_LT(angle_of(rest), 0.01);
+}
+
+/// Eight metres before the room, the robot slipped by 20 degrees: in the room, it is off by 2.8 m.
+TEST(PlaceSearch, FindsASlipThatWasMadeALongWayBefore) {
+  SeenRoom room;
+  const std::vector<std::uint32_t> older(room.all.begin(), room.all.begin() + 160);
+  const KnownScene scene(room.lines, older, room.settings);
+  const std::uint32_t slipped = 160;
+  const Pose there = in_space({-8.0, 0.0, 0.0});
+  const Pose slip = there * in_space({0.0, 0.0, 0.35}) * there.inverse(Eigen::Isometry);
+  room.lines.set_pose(slipped, there);
+  for (std::uint32_t i = slipped + 1; i < room.lines.size(); ++i) {
+    room.lines.set_pose(i, slip * room.lines.T_start_base(i));
+  }
+  const LineRange range{slipped + 1, room.lines.size()};
+  const EstimateConfig& config = room.settings.estimate;
+  EXPECT_TRUE(find_moves(room.lines, range, range.end - 1, scene, config).empty());
+  const auto moves = find_moves(room.lines, range, slipped, scene, config);
+  ASSERT_EQ(moves.size(), 1U);
+  const Pose rest = moves.front().T_start_start * slip;
+  EXPECT_LT(rest.translation().norm(), 0.05);
   EXPECT_LT(angle_of(rest), 0.01);
 }
 
