@@ -2,6 +2,7 @@
 # the very first one after the clone.
 SHELL := /bin/bash
 .DEFAULT_GOAL := help
+MAKEFLAGS += --no-print-directory
 JOBS ?= $(shell nproc)
 # Half of the tests wait for a ROS master most of the time.
 TESTS = $(shell echo $$((2 * $(JOBS))))

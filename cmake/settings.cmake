@@ -11,6 +11,7 @@ set(CMAKE_CXX_STANDARD 17)
 set(CMAKE_CXX_STANDARD_REQUIRED ON)
 set(CMAKE_CXX_EXTENSIONS OFF)
 set(CMAKE_EXPORT_COMPILE_COMMANDS ON)  # for clang-tidy and editors
+set_property(GLOBAL PROPERTY TARGET_MESSAGES OFF)  # no line for each target that is built
 
 find_program(CCACHE ccache)
 if(CCACHE)

@@ -96,15 +96,7 @@ Eigen::Vector2d middle_of_largest_circle(const Polygons& polygons) {
   const auto largest =
       std::max_element(polygons.begin(), polygons.end(),
                        [](const Polygon& a, const Polygon& b) { return area(a) < area(b); });
-  const Eigen::Vector2d extent = extent_of(largest->outer);
-  const Geos geos;
-  const Geos::Geometry all = geos.multipolygon_of({*largest});
-  const Geos::Geometry radius =
-      geos.made(GEOSMaximumInscribedCircle_r(geos.context(), all.get(), 0.01 * extent.maxCoeff()));
-  const GEOSCoordSequence* points = GEOSGeom_getCoordSeq_r(geos.context(), radius.get());
-  Eigen::Vector2d middle = largest->outer.front();
-  GEOSCoordSeq_getXY_r(geos.context(), points, 0, &middle.x(), &middle.y());
-  return middle;
+  return inmost_point({*largest}, 0.01 * extent_of(largest->outer).maxCoeff());
 }
 
 }  // namespace ribbon_mapper

@@ -121,6 +121,10 @@ void Annotations::note_ribbons(const std::vector<Plane>& planes) {
   }
 }
 
+void Annotations::forget_ribbons() {
+  for (auto& [id, annotation] : by_id_) annotation.ribbons.clear();
+}
+
 std::vector<const Annotation*> Annotations::of(const std::vector<Plane>& planes) const {
   std::vector<const Annotation*> annotations(planes.size(), nullptr);
   if (by_id_.empty()) return annotations;

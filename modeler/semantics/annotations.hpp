@@ -42,6 +42,10 @@ class Annotations {
   /// Notes which ribbons the annotated planes have, by which they are found if their ids are gone.
   void note_ribbons(const std::vector<Plane>& planes);
 
+  /// Forgets the ribbons: the model has numbered them anew. Until they are noted again, a plane is
+  /// found by its id alone.
+  void forget_ribbons();
+
   /// Returns, for each plane in its order, what people say about it; null where nothing.
   std::vector<const Annotation*> of(const std::vector<Plane>& planes) const;
 

@@ -26,8 +26,10 @@ Time newest_stamp(const SavedModel& model) {
 
 void ModelKeeper::add(const ReadyLine& line) {
   LineResult result = LineResult::modelled;
+  const std::size_t ribbons_before = modeler_.ribbons().size();
   const double seconds =
       wall_seconds_of([&] { result = modeler_.add_scan_line(line.beams, line.poses); });
+  if (modeler_.ribbons().size() < ribbons_before) annotations_.forget_ribbons();  // thinned
   if (result == LineResult::malformed || result == LineResult::out_of_order) {
     const bool is_old = result == LineResult::out_of_order && line.beams.stamp <= loaded_until_;
     log_.dropped(is_old ? kOlderThanLoaded : to_string(result),
@@ -125,7 +127,7 @@ FloorPlan ModelKeeper::floor_plan() { return floor_plan_of(planes(), semantics()
 
 void ModelKeeper::annotate(std::int64_t id, const std::string& label, const std::string& note) {
   annotations_.set(id, label, note, planes());
-  ++version_;
+  planes_version_ = ++version_;  // the planes stay as they are
 }
 
 double ModelKeeper::real_time_factor() const {

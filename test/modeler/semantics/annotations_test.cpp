@@ -111,6 +111,18 @@ TEST(Annotations, OfTheSurvivorGoFirstIfTwoAnnotatedPlanesMerge) {
   EXPECT_EQ((Texts{"first", "second"}), labels_of(annotations, apart));
 }
 
+TEST(Annotations, FollowNoPlaneByRibbonsThatHaveOtherNumbers) {
+  Annotations annotations;
+  annotations.set(2, "mine", "", {plane_of(1, {0, 1, 2}), plane_of(2, {3, 4})});
+  annotations.forget_ribbons();
+  const std::vector<Plane> merged{plane_of(1, {0, 3, 4}), plane_of(3, {1, 2})};
+  EXPECT_EQ((Texts{"", ""}), labels_of(annotations, merged));
+  const std::vector<Plane> again{plane_of(2, {1, 2})};
+  EXPECT_EQ(Texts{"mine"}, labels_of(annotations, again));
+  annotations.note_ribbons(again);
+  EXPECT_EQ(Texts{"mine"}, labels_of(annotations, {plane_of(1, {1, 2})}));
+}
+
 TEST(Annotations, ComeBackFromText) {
   const std::vector<Plane> planes{plane_of(1, {}), plane_of(2, {})};
   Annotations annotations;
