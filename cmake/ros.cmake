@@ -2,6 +2,11 @@
 if(NOT DEFINED RIBBON_MAPPER_ROS OR RIBBON_MAPPER_ROS OR RIBBON_MAPPER_ROS STREQUAL AUTO)
   # The environment of the tests lists only folders that exist when catkin is found.
   file(MAKE_DIRECTORY ${PROJECT_BINARY_DIR}/devel/lib/python3/dist-packages)
+  # A shell that has sourced the devel space must not leave it in what is installed.
+  string(REPLACE ":" ";" prefixes "$ENV{CMAKE_PREFIX_PATH}")
+  list(REMOVE_ITEM prefixes ${PROJECT_BINARY_DIR}/devel)
+  list(JOIN prefixes ":" prefixes)
+  set(ENV{CMAKE_PREFIX_PATH} "${prefixes}")
   # catkin installs setup.bash and the like to CMAKE_INSTALL_PREFIX, even if cmake --install is given
   # another --prefix: as a relative path, it is right for both.
   if(NOT CMAKE_INSTALL_PREFIX STREQUAL "/usr")
