@@ -35,6 +35,15 @@ LevelPoints wall_points(const PosedLines& lines, const LineRange& range) {
   return points;
 }
 
+/// Puts the better one of two moves first, and leaves out the other one if it is the same or worse.
+void keep_distinct(std::vector<PlaceMove>& moves, double second_share) {
+  const auto evidence_m = [](const PlaceMove& move) { return move.agreement.evidence_m(); };
+  if (evidence_m(moves[1]) > evidence_m(moves[0])) std::swap(moves[0], moves[1]);
+  const PlanarPose apart = relative(moves[0].at_robot, moves[1].at_robot);
+  const bool is_same = apart.translation().norm() < kSame_m && std::abs(apart.yaw_rad) < kSame_rad;
+  if (is_same || evidence_m(moves[1]) < second_share * evidence_m(moves[0])) moves.pop_back();
+}
+
 }  // namespace
 
 Pose in_space(const PlanarPose& planar) {
@@ -93,14 +102,7 @@ std::vector<PlaceMove> find_moves(const PosedLines& lines, const LineRange& rang
   };
   add(found->T_map_base);
   if (found->second_score > 0.0) add(found->T_map_base_second);
-  if (moves.size() < 2) return moves;
-  const auto evidence_m = [](const PlaceMove& move) { return move.agreement.evidence_m(); };
-  if (evidence_m(moves[1]) > evidence_m(moves[0])) std::swap(moves[0], moves[1]);
-  const PlanarPose apart = relative(moves[0].at_robot, moves[1].at_robot);
-  const bool is_same = apart.translation().norm() < kSame_m && std::abs(apart.yaw_rad) < kSame_rad;
-  if (is_same || evidence_m(moves[1]) < limits.second_share * evidence_m(moves[0])) {
-    moves.pop_back();
-  }
+  if (moves.size() == 2) keep_distinct(moves, limits.second_share);
   return moves;
 }
 

@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: 2026 ribbon_mapper authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""Holds what tools/house_table counts, on a project of two rooms."""
+"""Holds what tools/house_table counts, on a project of two rooms and on this one."""
 import importlib.machinery
 import importlib.util
 import pathlib
@@ -48,6 +48,15 @@ class Table(planted.PlantedProject):
     def test_a_long_function_counts(self):
         self.plant("sim/tour/long.cpp", "int f() {\n" + "  ++a;\n" * 39 + "}\n")
         self.assertEqual(1, self.row("sim/tour")["over 40"])
+
+
+class House(unittest.TestCase):
+    """What the table says of this project."""
+
+    def test_no_function_is_longer_than_a_page(self):
+        rows, _ = house_table.table(PROJECT)
+        rows = [dict(zip(house_table.COLUMNS, row)) for row in rows]
+        self.assertEqual([], [row["room"] for row in rows if row["over 40"]])
 
 
 if __name__ == "__main__":
