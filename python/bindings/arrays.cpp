@@ -20,8 +20,11 @@ using RowMajorMatrix = Eigen::Matrix<double, 4, 4, Eigen::RowMajor>;
 constexpr py::ssize_t kMatrixSize = 16, kVectorSize = 7;
 constexpr const char* kShapesOfPose = "(4, 4), or (7,) for x, y, z, qx, qy, qz, qw";
 
+// Aligned, as they are read by pointers: a view of a packed record is copied.
+constexpr int kArrayFlags =
+    py::array::c_style | py::array::forcecast | py::detail::npy_api::NPY_ARRAY_ALIGNED_;
 template <typename Number>
-using Array = py::array_t<Number, py::array::c_style | py::array::forcecast>;
+using Array = py::array_t<Number, kArrayFlags>;
 
 [[noreturn]] void refuse(const std::string& name, const std::string& why) {
   throw std::invalid_argument(name + " " + why);
