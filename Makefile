@@ -40,11 +40,12 @@ bench: ## speed and memory beside the packaged peers, results in results/bench
 	build/devel/lib/ribbon_mapper/bench $(RECORDINGS) $(ARGS)
 
 # The build is gcc's part: its warnings are errors from the first `make lint` of a build folder on.
-lint: GROUP = test lint
+# The benchmarks are built here, as no test does.
+lint: GROUP = test lint bench
 lint: ## format, names, bug-prone code and warnings of gcc and clang; below a minute if little changed
 	./install_dependencies $(GROUP)
 	tools/lint --format-only
-	cmake -S . -B build -DRIBBON_MAPPER_WERROR=ON $(PYTHON)
+	cmake -S . -B build -DRIBBON_MAPPER_WERROR=ON -DRIBBON_MAPPER_BENCH=ON $(PYTHON)
 	cmake --build build -j $(JOBS)
 	tools/lint --jobs $(JOBS)
 

@@ -32,7 +32,7 @@ Reference reference_of(const Recording& recording) {
   }
   return [&recording](const NormalsInput& lines,
                       const Surfel& surfel) -> std::optional<Eigen::Vector3d> {
-    const int face = lines.middle->faces[surfel.beam];
+    const int face = lines.recorded->faces[surfel.beam];
     if (face < 0 || recording.face_normals[face].isZero()) return std::nullopt;
     return recording.face_normals[face];
   };

@@ -73,7 +73,8 @@ std::vector<Plane> bounded_planes(const std::vector<Points>& planes, const ViewF
   for (const Points& points : planes) {
     if (points.size() < 3) continue;
     const PlaneFit fit = fit_plane(moments_of(points));
-    eval::Patch patch{fit.normal(), 0.0, 0.0, {}};
+    eval::Patch patch;
+    patch.normal = fit.normal();
     double side = 0.0;
     for (const Eigen::Vector3f& point : points) {
       side += patch.normal.dot(views.towards_sensor(point).cast<double>());

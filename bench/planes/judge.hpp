@@ -8,7 +8,7 @@
 
 #include "bench/planes/planes_peer.hpp"
 #include "eval/metrics/map_metrics.hpp"
-#include "modeler/association/association_config.hpp"
+#include "modeler/modeler_config.hpp"
 #include "modeler/surface/plane.hpp"
 
 namespace ribbon_mapper::bench {

@@ -136,7 +136,8 @@ void measure_rays(const Inputs& /*inputs*/, Report& report) {
   std::vector<std::pair<std::string, RayCasting>> ways;
   for (const CasterWorld& caster : casters)
     ways.emplace_back("ours: World::cast, " + caster.name, casting_of(caster.world));
-  ways.emplace_back(kRayTest, bullet_ray_test(sim::read_sdf(source.world.string(), {})));
+  ways.emplace_back(kRayTest,
+                    bullet_ray_test(sim::read_sdf(source.world.string(), {}, false).shapes));
   std::vector<std::vector<float>> ranges(ways.size(), std::vector<float>(rays.size()));
   MicroBenchmarks benchmarks;
   for (const CasterWorld& caster : casters)

@@ -42,7 +42,7 @@ Recording driven(const TourSource& source) {
     recording.face_normals.push_back(face.planar ? face.normal : Eigen::Vector3d::Zero().eval());
   }
   for (const sim::TruthPlane& plane : truth.planes()) {
-    recording.truth.push_back({plane.normal, plane.d_m, plane.area_m2, plane.cells});
+    recording.truth.push_back({plane.normal, plane.d_m, plane.area_m2, plane.axis_u, plane.cells});
   }
   return recording;
 }

@@ -13,7 +13,8 @@ using testing::AllOf;
 using testing::HasSubstr;
 
 TEST_F(WorldFile, MissingFileSaysWhatToGive) {
-  EXPECT_THAT(error_of(directory_.path() / "none.sdf"), HasSubstr("a shipped one such as worlds/apartment.sdf"));
+  EXPECT_THAT(error_of(directory_.path() / "none.sdf"),
+              HasSubstr("a shipped one such as worlds/apartment.sdf"));
   EXPECT_THAT(error_of(directory_.path()), HasSubstr("no such file")) << "a folder";
 }
 
