@@ -6,6 +6,7 @@ if(NOT DEFINED RIBBON_MAPPER_ROS OR RIBBON_MAPPER_ROS OR RIBBON_MAPPER_ROS STREQ
   string(REPLACE ":" ";" prefixes "$ENV{CMAKE_PREFIX_PATH}")
   list(REMOVE_ITEM prefixes ${PROJECT_BINARY_DIR}/devel)
   list(JOIN prefixes ":" prefixes)
+  #catkin_lint: ignore_once immutable_var
   set(ENV{CMAKE_PREFIX_PATH} "${prefixes}")
   # catkin installs setup.bash and the like to CMAKE_INSTALL_PREFIX, even if cmake --install is given
   # another --prefix: as a relative path, it is right for both.
