@@ -13,8 +13,9 @@ using testing::AllOf;
 using testing::HasSubstr;
 
 TEST_F(WorldFile, MissingFileSaysWhatToGive) {
-  EXPECT_THAT(error_of(directory_.path() / "none.sdf"),
-              HasSubstr("a shipped one such as worlds/apartment.sdf"));
+  EXPECT_THAT(
+      error_of(directory_.path() / "none.sdf"),
+      HasSubstr("give the path of an SDF world, or a shipped one such as worlds/apartment.sdf"));
   EXPECT_THAT(error_of(directory_.path()), HasSubstr("no such file")) << "a folder";
 }
 
