@@ -9,7 +9,7 @@
 #include <sstream>
 
 #include "bench/recording/recording_file.hpp"
-#include "eval/experiment/scan_conversion.hpp"
+#include "eval/experiment/sim_conversion.hpp"
 #include "modeler/program/installed_files.hpp"
 #include "sim/truth/truth.hpp"
 
@@ -41,9 +41,7 @@ Recording driven(const TourSource& source) {
   for (const sim::Face& face : world.faces()) {
     recording.face_normals.push_back(face.planar ? face.normal : Eigen::Vector3d::Zero().eval());
   }
-  for (const sim::TruthPlane& plane : truth.planes()) {
-    recording.truth.push_back({plane.normal, plane.d_m, plane.area_m2, plane.axis_u, plane.cells});
-  }
+  recording.truth = eval::patches_of(truth.planes());
   return recording;
 }
 

@@ -3,7 +3,7 @@
 #include "eval/experiment/calibrate.hpp"
 
 #include "eval/experiment/run.hpp"
-#include "eval/experiment/scan_conversion.hpp"
+#include "eval/experiment/sim_conversion.hpp"
 
 namespace ribbon_mapper::eval {
 

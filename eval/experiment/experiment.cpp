@@ -4,8 +4,8 @@
 
 #include <algorithm>
 
-#include "eval/experiment/scan_conversion.hpp"
 #include "eval/experiment/self_closure.hpp"
+#include "eval/experiment/sim_conversion.hpp"
 #include "eval/metrics/statistics.hpp"
 #include "eval/results/world_outlines.hpp"
 #include "eval/segmentation/point_truth.hpp"
@@ -59,14 +59,6 @@ LineLog drive(sim::Tour& tour, Modeler& modeler, SelfClosure* closure, Truth& tr
 std::vector<StampedPose> true_poses(const sim::Tour& tour, std::vector<StampedPose> trajectory) {
   for (StampedPose& pose : trajectory) pose.T_map_base = tour.true_T_map_base(pose.stamp);
   return trajectory;
-}
-
-std::vector<Patch> patches_of(const std::vector<sim::TruthPlane>& planes) {
-  std::vector<Patch> patches;
-  for (const sim::TruthPlane& plane : planes) {
-    patches.push_back({plane.normal, plane.d_m, plane.area_m2, plane.axis_u, plane.cells});
-  }
-  return patches;
 }
 
 PointMetrics point_metrics(const PointTruth& truth, const Modeler& modeler,

@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-#include "eval/experiment/scan_conversion.hpp"
+#include "eval/experiment/sim_conversion.hpp"
 #include "modeler/program/stopwatch.hpp"
 
 namespace ribbon_mapper::eval {

@@ -174,9 +174,9 @@ void MoveFinder::ask(const Question& question, const PosedLines& lines, const Kn
   if (question.range.end == lines.size() && is_contradiction(now, config)) {
     finding_.doubt = text_of(now);
   }
+  const PlaceSearch search(lines, question.range, scene, settings_.estimate);
   const auto search_about = [&](std::uint32_t pivot_line) {
-    const std::vector<PlaceMove> moves =
-        find_moves(lines, question.range, pivot_line, scene, settings_.estimate);
+    const std::vector<PlaceMove> moves = search.moves_about(pivot_line);
     if (!moves.empty()) judge(question, moves, lines, scene);
   };
   search_about(question.range.end - 1);

@@ -7,7 +7,6 @@
 #include <utility>
 
 #include "modeler/geometry/angles.hpp"
-#include "slam/matching/correlative_search.hpp"
 #include "slam/matching/scan_matcher.hpp"
 
 namespace ribbon_mapper::slam {
@@ -33,6 +32,12 @@ LevelPoints wall_points(const PosedLines& lines, const LineRange& range) {
     }
   }
   return points;
+}
+
+LevelPoints moved(const LevelPoints& points, const PlanarPose& T_target_source) {
+  LevelPoints result;
+  append_moved(points, T_target_source, result);
+  return result;
 }
 
 /// Puts the better one of two moves first, and leaves out the other one if it is the same or worse.
@@ -71,39 +76,52 @@ Agreement agreement_of(const PosedLines& lines, const LineRange& range, const Po
   return agreement;
 }
 
-std::vector<PlaceMove> find_moves(const PosedLines& lines, const LineRange& range,
-                                  std::uint32_t pivot_line, const KnownScene& scene,
-                                  const EstimateConfig& config) {
-  const RelocaliserConfig& limits = config.relocaliser;
-  const PlanarPose here = planar_of(lines.T_start_base(range.end - 1));
-  const PlanarPose pivot = planar_of(lines.T_start_base(pivot_line));
-  const LevelPoints seen = thinned(wall_points(lines, range), kSpacing_m);
-  LevelPoints points, points_from_pivot;
-  append_moved(seen, inverse(here), points);
-  append_moved(seen, inverse(pivot), points_from_pivot);
-  const LevelPoints known = thinned(scene.points(), 0.5 * kSpacing_m);
-  const auto found = CorrelativeSearch(known).find(
-      points_from_pivot, pivot, {limits.radius_m, limits.angle_deg * kDegree, limits.least_score},
-      limits.second_share);
+PlaceSearch::PlaceSearch(const PosedLines& lines, const LineRange& range, const KnownScene& scene,
+                         const EstimateConfig& config)
+    : lines_(lines),
+      range_(range),
+      scene_(scene),
+      config_(config),
+      here_(planar_of(lines.T_start_base(range.end - 1))),
+      seen_(thinned(wall_points(lines, range), kSpacing_m)),
+      known_(thinned(scene.points(), 0.5 * kSpacing_m)),
+      search_(known_) {}
+
+std::vector<PlaceMove> PlaceSearch::moves_about(std::uint32_t pivot_line) const {
+  const RelocaliserConfig& limits = config_.relocaliser;
+  const PlanarPose pivot = planar_of(lines_.T_start_base(pivot_line));
+  const auto found = search_.find(moved(seen_, inverse(pivot)), pivot,
+                                  {limits.radius_m, limits.angle_deg * kDegree, limits.least_score},
+                                  limits.second_share);
   if (!found) return {};
-  const SurfaceMap surfaces(known);
+  const SurfaceMap surfaces(known_);
   std::vector<PlaceMove> moves;
   const auto add = [&](const PlanarPose& moved_pivot) {
     const double most =
         std::max(std::abs(moved_pivot.x_m - pivot.x_m), std::abs(moved_pivot.y_m - pivot.y_m));
     if (most > limits.radius_m - kSame_m) return;  // the peak may lie outside
-    const PlanarPose guess = moved_pivot * relative(pivot, here);
-    const PlanarPose there = match(points, surfaces, guess, std::nullopt, MatchConfig{}).T_map_base;
-    const PlanarPose slid = relative(guess, there);
-    if (slid.translation().norm() > kMaxSlide_m || std::abs(slid.yaw_rad) > kMaxSlide_rad) return;
-    const Pose T_start_start = in_space(there * inverse(here));
-    moves.push_back({T_start_start, relative(here, there),
-                     agreement_of(lines, range, T_start_start, scene, config.gates.front())});
+    const auto move = move_to(moved_pivot * relative(pivot, here_), surfaces);
+    if (move) moves.push_back(*move);
   };
   add(found->T_map_base);
   if (found->second_score > 0.0) add(found->T_map_base_second);
   if (moves.size() == 2) keep_distinct(moves, limits.second_share);
   return moves;
+}
+
+/// Returns the move that takes the newest line near a guess, matched to the surfaces of the scene;
+/// nothing if the match slides away from it.
+std::optional<PlaceMove> PlaceSearch::move_to(const PlanarPose& guess,
+                                              const SurfaceMap& surfaces) const {
+  const LevelPoints points = moved(seen_, inverse(here_));
+  const PlanarPose there = match(points, surfaces, guess, std::nullopt, MatchConfig{}).T_map_base;
+  const PlanarPose slid = relative(guess, there);
+  if (slid.translation().norm() > kMaxSlide_m || std::abs(slid.yaw_rad) > kMaxSlide_rad) {
+    return std::nullopt;
+  }
+  const Pose T_start_start = in_space(there * inverse(here_));
+  return PlaceMove{T_start_start, relative(here_, there),
+                   agreement_of(lines_, range_, T_start_start, scene_, config_.gates.front())};
 }
 
 }  // namespace ribbon_mapper::slam

@@ -3,10 +3,13 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 #include "slam/lines/context.hpp"
+#include "slam/matching/correlative_search.hpp"
 #include "slam/matching/planar_pose.hpp"
+#include "slam/matching/surface_map.hpp"
 #include "slam/places/known_scene.hpp"
 
 namespace ribbon_mapper::slam {
@@ -44,11 +47,29 @@ struct PlaceMove {
   Agreement agreement;  ///< of the moved lines
 };
 
-/// Returns the moves within a window that put most ribbons of some lines on known walls, the best
-/// first: one, or two if another one puts nearly as much there, or none. The window is about the
-/// pose of `pivot_line`: a slip there turns all later poses about it.
-std::vector<PlaceMove> find_moves(const PosedLines& lines, const LineRange& range,
-                                  std::uint32_t pivot_line, const KnownScene& scene,
-                                  const EstimateConfig& config);
+/// The search for the place of some lines in a known scene.
+class PlaceSearch {
+ public:
+  /// Prepares it. All that is passed must outlive the search.
+  PlaceSearch(const PosedLines& lines, const LineRange& range, const KnownScene& scene,
+              const EstimateConfig& config);
+
+  /// Returns the moves within a window that put most ribbons on known walls, the best first: one,
+  /// or two if another one puts nearly as much there, or none. The window is about the pose of
+  /// `pivot_line`: a slip there turns all later poses about it.
+  std::vector<PlaceMove> moves_about(std::uint32_t pivot_line) const;
+
+ private:
+  std::optional<PlaceMove> move_to(const PlanarPose& guess, const SurfaceMap& surfaces) const;
+
+  const PosedLines& lines_;
+  const LineRange range_;
+  const KnownScene& scene_;
+  const EstimateConfig& config_;
+  const PlanarPose here_;           ///< of the newest line
+  const LevelPoints seen_;          ///< by the lines, in start
+  const LevelPoints known_;         ///< of the scene
+  const CorrelativeSearch search_;  ///< on the scene
+};
 
 }  // namespace ribbon_mapper::slam

@@ -6,7 +6,7 @@
 #include <map>
 
 #include "eval/experiment/run.hpp"
-#include "eval/experiment/scan_conversion.hpp"
+#include "eval/experiment/sim_conversion.hpp"
 #include "modeler/maps/model_maps.hpp"
 #include "modeler/modeler.hpp"
 #include "modeler/observations/observations.hpp"

@@ -11,7 +11,7 @@
 #include <utility>
 #include <vector>
 
-#include "eval/experiment/scan_conversion.hpp"
+#include "eval/experiment/sim_conversion.hpp"
 #include "modeler/io/config_file.hpp"
 #include "modeler/io/planes_json.hpp"
 #include "modeler/model_file/model_file.hpp"

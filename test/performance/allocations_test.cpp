@@ -11,7 +11,7 @@
 #include <cstdlib>
 #include <new>
 
-#include "eval/experiment/scan_conversion.hpp"
+#include "eval/experiment/sim_conversion.hpp"
 #include "modeler/modeler.hpp"
 #include "modeler/program/installed_files.hpp"
 #include "modeler/ribbon/ribbon_extraction.hpp"

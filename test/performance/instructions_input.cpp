@@ -7,7 +7,7 @@
 #include <cstdio>
 #include <exception>
 
-#include "eval/experiment/scan_conversion.hpp"
+#include "eval/experiment/sim_conversion.hpp"
 #include "modeler/modeler.hpp"
 #include "modeler/program/installed_files.hpp"
 

@@ -5,7 +5,7 @@
 #include <gmock/gmock.h>
 
 #include "eval/experiment/run.hpp"
-#include "eval/experiment/scan_conversion.hpp"
+#include "eval/experiment/sim_conversion.hpp"
 
 namespace ribbon_mapper::eval {
 namespace {

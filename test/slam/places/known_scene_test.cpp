@@ -85,7 +85,8 @@ TEST(PlaceSearch, FindsTheMoveThatWasMade) {
     room.lines.set_pose(i, move * room.lines.T_start_base(i));
   }
   const LineRange range{160, room.lines.size()};
-  const auto moves = find_moves(room.lines, range, range.end - 1, scene, room.settings.estimate);
+  const PlaceSearch search(room.lines, range, scene, room.settings.estimate);
+  const auto moves = search.moves_about(range.end - 1);
   ASSERT_EQ(moves.size(), 1U);
   EXPECT_GT(moves.front().agreement.known(), 0.9);
   const Pose rest = moves.front().T_start_start * move;
@@ -106,9 +107,9 @@ TEST(PlaceSearch, FindsASlipThatWasMadeALongWayBefore) {
     room.lines.set_pose(i, slip * room.lines.T_start_base(i));
   }
   const LineRange range{slipped + 1, room.lines.size()};
-  const EstimateConfig& config = room.settings.estimate;
-  EXPECT_TRUE(find_moves(room.lines, range, range.end - 1, scene, config).empty());
-  const auto moves = find_moves(room.lines, range, slipped, scene, config);
+  const PlaceSearch search(room.lines, range, scene, room.settings.estimate);
+  EXPECT_TRUE(search.moves_about(range.end - 1).empty());
+  const auto moves = search.moves_about(slipped);
   ASSERT_EQ(moves.size(), 1U);
   const Pose rest = moves.front().T_start_start * slip;
   EXPECT_LT(rest.translation().norm(), 0.05);

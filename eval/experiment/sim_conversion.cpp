@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 ribbon_mapper authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "eval/experiment/scan_conversion.hpp"
+#include "eval/experiment/sim_conversion.hpp"
 
 #include "sim/robot/pr2.hpp"
 
@@ -27,6 +27,15 @@ LinePoses base_laser_poses(const sim::Tour& tour, const LaserBeams& beams) {
   const Pose T_base_laser = sim::pr2::T_base_base_laser();
   return {tour.T_odom_base(first), tour.T_odom_base(last), T_base_laser, T_base_laser,
           tour.noisy_T_map_base(middle_of(beams))};
+}
+
+std::vector<Patch> patches_of(const std::vector<sim::TruthPlane>& planes) {
+  std::vector<Patch> patches;
+  patches.reserve(planes.size());
+  for (const sim::TruthPlane& plane : planes) {
+    patches.push_back({plane.normal, plane.d_m, plane.area_m2, plane.axis_u, plane.cells});
+  }
+  return patches;
 }
 
 }  // namespace ribbon_mapper::eval

@@ -2,8 +2,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <vector>
+
+#include "eval/metrics/patch.hpp"
 #include "modeler/scan/laser_beams.hpp"
 #include "sim/tour/tour.hpp"
+#include "sim/truth/truth.hpp"
 
 namespace ribbon_mapper::eval {
 
@@ -15,5 +19,8 @@ LinePoses noisy_poses(const sim::Tour& tour, const LaserBeams& beams);
 
 /// Returns the poses that tf would give for a scan of the laser on the base.
 LinePoses base_laser_poses(const sim::Tour& tour, const LaserBeams& beams);
+
+/// Converts true planes.
+std::vector<Patch> patches_of(const std::vector<sim::TruthPlane>& planes);
 
 }  // namespace ribbon_mapper::eval
