@@ -198,7 +198,9 @@ std::vector<Plane> Modeler::planes_as_built() const {
                             s.observations.posed(), s.config.surface, s.config.assembly);
 }
 
-std::vector<Plane> Modeler::planes() const {
+std::vector<Plane> Modeler::planes() const { return plane_model().planes; }
+
+PlaneModel Modeler::plane_model() const {
   const State& s = *state_;
   AssemblyConfig assembly = s.config.assembly;
   // With drift, beams seem to pass walls.

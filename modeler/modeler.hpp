@@ -13,7 +13,7 @@
 #include "modeler/observations/observations.hpp"
 #include "modeler/ribbon/ribbon.hpp"
 #include "modeler/scan/scan_front_end.hpp"
-#include "modeler/surface/plane.hpp"
+#include "modeler/surface/plane_model.hpp"
 
 namespace ribbon_mapper {
 
@@ -94,6 +94,9 @@ class Modeler {
   /// Computes the planes of the model: merged, filtered and with their outlines, in map, ordered by
   /// id. Takes about 20 ms for 100 s of recording.
   std::vector<Plane> planes() const;
+
+  /// Computes the planes as planes() does, and which ribbons are of things that are gone.
+  PlaneModel plane_model() const;
 
   /// Returns the acquisition poses as they are now, one for each line in the model, with strictly
   /// ascending stamps. A line of which no ribbon is left has left the model.

@@ -21,14 +21,14 @@ nlohmann::json our_maps(const Inputs& inputs) {
   feed(inputs.recording, modeler);
   const double correct_s =
       cpu_seconds_of([&] { modeler.correct(true_trajectory(inputs.recording)); });
-  std::vector<Plane> planes;
-  const double planes_s = cpu_seconds_of([&] { planes = modeler.planes(); });
+  PlaneModel model;
+  const double planes_s = cpu_seconds_of([&] { model = modeler.plane_model(); });
   SightLines sights;
   const double copy_s = cpu_seconds_of(
-      [&] { sights = sight_lines_of(modeler.observations().posed(), planes, inputs.config.maps); });
+      [&] { sights = sight_lines_of(modeler.observations().posed(), model, inputs.config.maps); });
   std::size_t bytes = 0, cells = 0;
   const double carve_s = cpu_seconds_of([&] {
-    const ModelMaps maps = make_maps(planes, sights, inputs.config.maps);
+    const ModelMaps maps = make_maps(model.planes, sights, inputs.config.maps);
     bytes = maps.voxels.memory_bytes(), cells = maps.level.cells.size();
   });
   return {{"seconds", copy_s + carve_s},

@@ -104,8 +104,8 @@ void add_list_options(CLI::App& app, Lists& lists) {
       ->check(accepted_by(sim::TiltProfileConfig::preset))
       ->capture_default_str();
   add_list(app, "--beams", lists.beams,
-           "number of beams, 0.25 degrees apart: 3 to 1080 [the PR2's 381]")
-      ->check(CLI::Range(3, 1080).description(""));
+           "number of beams, 0.25 degrees apart: 3 to 1081 [the PR2's 381]")
+      ->check(CLI::Range(3, 1081).description(""));
   add_list(app, "--speed", lists.speeds_m_s,
            "speed of the robot, 0.01 to 1 m/s; scales the turn rate alike [the route's]")
       ->check(accepted_by(require_speed));

@@ -5,9 +5,11 @@
 #include <algorithm>
 #include <fstream>
 #include <nlohmann/json.hpp>
+#include <optional>
 #include <set>
 #include <stdexcept>
 
+#include "eval/results/summary.hpp"
 #include "modeler/program/version.hpp"
 #include "modeler/storage/atomic_file.hpp"
 
@@ -54,6 +56,25 @@ void collect(const Json& json, const std::string& prefix, std::map<std::string, 
   }
 }
 
+/// Returns the first key, joined by dots, that `expected` has and `json` lacks; else nothing.
+std::optional<std::string> first_lacking(const Json& expected, const Json& json) {
+  for (const auto& [key, value] : expected.items()) {
+    const auto found = json.find(key);
+    if (found == json.end()) return key;
+    if (!value.is_object() || !found->is_object()) continue;
+    if (const auto inner = first_lacking(value, *found)) return key + "." + *inner;
+  }
+  return std::nullopt;
+}
+
+/// Throws std::invalid_argument if a run lacks a key that each run of this program has: it was made
+/// by a program of the same commit, before a change that is not committed.
+void require_all_keys(const std::string& line) {
+  const auto key = first_lacking(Json::parse(run_line(Summary{}, "")), Json::parse(line));
+  if (!key) return;
+  throw std::invalid_argument("the run has no '" + *key + "', which this program writes");
+}
+
 }  // namespace
 
 LoggedRun parse_run_line(const std::string& line) {
@@ -89,6 +110,7 @@ void RunLog::enter(const std::string& line, std::size_t number) {
       throw std::invalid_argument("the run is of version " + logged.version +
                                   ", this program of version " + version());
     }
+    require_all_keys(line);
     runs_.emplace(logged.run, std::move(logged));
   } catch (const std::invalid_argument& error) {
     throw std::runtime_error(place + error.what() + advice);

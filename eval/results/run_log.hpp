@@ -29,7 +29,8 @@ LoggedRun parse_run_line(const std::string& line);
 class RunLog {
  public:
   /// Reads an existing file and drops an incomplete last line. Throws std::runtime_error with file
-  /// and line if a line is no run, or of another version of the program.
+  /// and line if a line is no run, of another version of the program, or lacks a key of its
+  /// results.
   explicit RunLog(std::filesystem::path path);
 
   /// Returns true if the run is in the log. Throws std::runtime_error if its world, route or preset

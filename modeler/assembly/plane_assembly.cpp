@@ -179,11 +179,9 @@ std::vector<Plane> assembled_as_built(const std::vector<Hypothesis>& hypotheses,
                   surface_config.bridged_gap_m, config);
 }
 
-std::vector<Plane> assembled_planes(const std::vector<Hypothesis>& hypotheses,
-                                    const AssociationGates& gates,
-                                    const PosedObservations& observations,
-                                    const SurfaceConfig& surface_config,
-                                    const AssemblyConfig& config) {
+PlaneModel assembled_planes(const std::vector<Hypothesis>& hypotheses,
+                            const AssociationGates& gates, const PosedObservations& observations,
+                            const SurfaceConfig& surface_config, const AssemblyConfig& config) {
   const double bridged_gap_m = surface_config.bridged_gap_m;
   Assembly assembly(gates, observations, surface_config, config);
   for (const Hypothesis& hypothesis : hypotheses) assembly.add(hypothesis);
@@ -195,14 +193,15 @@ std::vector<Plane> assembled_planes(const std::vector<Hypothesis>& hypotheses,
                                   return is_row_of_objects(surface.plane(), gates, config);
                                 }),
                  surfaces.end());
-  std::vector<Plane> planes =
-      finished(std::move(surfaces), gates, config.min_area_m2, observations, bridged_gap_m, config);
+  PlaneModel model{
+      finished(std::move(surfaces), gates, config.min_area_m2, observations, bridged_gap_m, config),
+      {}};
   if (config.passed_lines > 0) {
-    planes = without_passed_cells(std::move(planes), observations, config);
+    model = without_passed_cells(std::move(model.planes), observations, config);
   }
-  for (Plane& plane : planes) plane.outlines = outlines_of(plane, surface_config);
-  join_at_corner_lines(planes, kCornerReachInCells * surface_config.cell_size_m);
-  return planes;
+  for (Plane& plane : model.planes) plane.outlines = outlines_of(plane, surface_config);
+  join_at_corner_lines(model.planes, kCornerReachInCells * surface_config.cell_size_m);
+  return model;
 }
 
 }  // namespace ribbon_mapper

@@ -224,35 +224,37 @@ class Counting {
   std::vector<Eigen::AlignedBox3d> boxes_;  // of cells_
 };
 
-/// Replaces the cells of a plane.
-void keep_cells(Plane& plane, std::vector<PlaneCell> cells) {
-  plane.cells = std::move(cells);
+/// Takes the cells of a plane that are not among those that remain. Returns whether the plane does.
+bool take_cells(Plane& plane, std::vector<PlaneCell> remaining, double min_area_m2) {
+  const double before = static_cast<double>(plane.cells.size());
+  const double left = static_cast<double>(remaining.size());
+  if (remaining.size() == plane.cells.size()) return true;
+  if (before - left >= kWholeShare * before) return false;
+  plane.cells = std::move(remaining);
   plane.area_m2 = static_cast<double>(plane.cells.size()) * plane.cell_size_m * plane.cell_size_m;
   Eigen::Vector3d sum = Eigen::Vector3d::Zero();
   for (const PlaneCell& cell : plane.cells) sum += cell_centre(plane, cell);
   plane.centroid = sum / static_cast<double>(plane.cells.size());
+  return plane.area_m2 >= min_area_m2;
 }
 
 }  // namespace
 
-std::vector<Plane> without_passed_cells(std::vector<Plane> planes,
-                                        const PosedObservations& observations,
-                                        const AssemblyConfig& config) {
+PlaneModel without_passed_cells(std::vector<Plane> planes, const PosedObservations& observations,
+                                const AssemblyConfig& config) {
   std::vector<PassedCells> counts = Counting(planes, observations, config).result();
-  std::vector<Plane> result;
+  PlaneModel model;
   for (std::size_t i = 0; i < planes.size(); ++i) {
     Plane& plane = planes[i];
-    std::vector<PlaneCell> cells = counts[i].remaining();
-    const double before = static_cast<double>(plane.cells.size());
-    const double left = static_cast<double>(cells.size());
-    if (cells.size() < plane.cells.size()) {
-      if (before - left >= kWholeShare * before) continue;
-      keep_cells(plane, std::move(cells));
-      if (plane.area_m2 < config.min_area_m2) continue;
+    if (take_cells(plane, counts[i].remaining(), config.min_area_m2)) {
+      model.planes.push_back(std::move(plane));
+    } else {
+      model.gone_ribbons.insert(model.gone_ribbons.end(), plane.ribbons.begin(),
+                                plane.ribbons.end());
     }
-    result.push_back(std::move(plane));
   }
-  return result;
+  std::sort(model.gone_ribbons.begin(), model.gone_ribbons.end());
+  return model;
 }
 
 }  // namespace ribbon_mapper

@@ -6,7 +6,7 @@
 
 #include "modeler/assembly/assembly_config.hpp"
 #include "modeler/observations/posed_observations.hpp"
-#include "modeler/surface/plane.hpp"
+#include "modeler/surface/plane_model.hpp"
 
 namespace ribbon_mapper {
 
@@ -15,10 +15,9 @@ namespace ribbon_mapper {
 /// A cell is passed if AssemblyConfig::passed_lines lines have passed it since the last line that
 /// ended in it. Cells along an edge are hit and passed by turns, so only passed areas of at least
 /// three by three cells count. A plane is removed whole if RetractionConfig::whole_share of its
-/// cells are, or if less than `min_area_m2` remains. `planes` are in map, of these observations, at
-/// corrected poses; planes that lose cells also lose their outlines.
-std::vector<Plane> without_passed_cells(std::vector<Plane> planes,
-                                        const PosedObservations& observations,
-                                        const AssemblyConfig& config);
+/// cells are, or if less than `min_area_m2` remains; its ribbons are gone. `planes` are in map, of
+/// these observations, at corrected poses; planes that lose cells also lose their outlines.
+PlaneModel without_passed_cells(std::vector<Plane> planes, const PosedObservations& observations,
+                                const AssemblyConfig& config);
 
 }  // namespace ribbon_mapper

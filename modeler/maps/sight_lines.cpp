@@ -11,11 +11,15 @@ namespace {
 /// Appends what the lines saw, one after the other.
 class SightLinesBuilder {
  public:
-  SightLinesBuilder(const PosedObservations& observations, const std::vector<Plane>& planes,
+  SightLinesBuilder(const PosedObservations& observations, const PlaneModel& model,
                     const MapsConfig& config, const Eigen::Vector3d& origin)
       : observations_(observations),
-        plane_of_(planes_by_ribbon(observations.ribbon_count(), planes)),
+        is_loose_(observations.ribbon_count(), true),
         margin_m_(config.surface_margin_m) {
+    for (const Plane& plane : model.planes) {
+      for (const std::uint32_t ribbon : plane.ribbons) is_loose_[ribbon] = false;
+    }
+    for (const std::uint32_t ribbon : model.gone_ribbons) is_loose_[ribbon] = false;
     result_.origin = origin;
     T_origin_model_ = Eigen::Translation3d(-origin) * observations.T_map_model();
     result_.fans.reserve(observations.ribbon_count());
@@ -53,14 +57,14 @@ class SightLinesBuilder {
     result_.fans.push_back({ribbon.point(samples.start_m, 0.0F).cast<float>(),
                             ribbon.point(samples.start_m + samples.length_m(), 0.0F).cast<float>(),
                             static_cast<float>(free_part)});
-    if (plane_of_[ribbon_] >= 0) return;
+    if (!is_loose_[ribbon_]) return;
     samples.for_each([&](float along_m, float height, std::uint32_t) {
       result_.returns.push_back({ribbon.point(along_m, height).cast<float>(), true});
     });
   }
 
   const PosedObservations& observations_;
-  std::vector<std::int32_t> plane_of_;  // by ribbon, or -1
+  std::vector<bool> is_loose_;  // by ribbon
   double margin_m_;
   Pose T_origin_model_ = Pose::Identity();
   std::size_t ribbon_ = 0;  // the next one
@@ -74,9 +78,9 @@ std::size_t SightLines::memory_bytes() const {
          returns.capacity() * sizeof(LooseReturn) + bases.capacity() * sizeof(Eigen::Vector3f);
 }
 
-SightLines sight_lines_of(const PosedObservations& observations, const std::vector<Plane>& planes,
+SightLines sight_lines_of(const PosedObservations& observations, const PlaneModel& model,
                           const MapsConfig& config, const Eigen::Vector3d& origin) {
-  return SightLinesBuilder(observations, planes, config, origin).build();
+  return SightLinesBuilder(observations, model, config, origin).build();
 }
 
 }  // namespace ribbon_mapper

@@ -9,7 +9,7 @@
 
 #include "modeler/maps/maps_config.hpp"
 #include "modeler/observations/posed_observations.hpp"
-#include "modeler/surface/plane.hpp"
+#include "modeler/surface/plane_model.hpp"
 
 namespace ribbon_mapper {
 
@@ -48,9 +48,10 @@ struct SightLines {
   std::size_t memory_bytes() const;
 };
 
-/// Returns the sight lines of all observations. `planes` are those of the same observations; their
-/// ribbons have no loose returns. Positions are relative to `origin`, in map.
-SightLines sight_lines_of(const PosedObservations& observations, const std::vector<Plane>& planes,
+/// Returns the sight lines of all observations. `model` is that of the same observations. Ribbons
+/// of its planes have no loose returns, nor have those that are gone. Positions are relative to
+/// `origin`, in map.
+SightLines sight_lines_of(const PosedObservations& observations, const PlaneModel& model,
                           const MapsConfig& config,
                           const Eigen::Vector3d& origin = Eigen::Vector3d::Zero());
 

@@ -95,11 +95,15 @@ void resize(ScanLine& line, std::size_t size) {
   line.before.resize(size + 1);
 }
 
+// Between two beams of one surface lie at most so many standard deviations of a range, or, at a
+// grazing view of 7 degrees, so many spacings of the beams.
+constexpr double kMaxSigmas = 6.0, kMaxSpacings = 8.0;
+
 /// Returns true if a beam and the one before it lie further apart than noise and a grazing view
-/// (about 7 degrees) explain.
+/// explain.
 bool is_jump(const ScanLine& line, std::size_t beam, const ScanConfig& config) {
   const double spacing = line.ranges_m[beam] * std::abs(line.angle_increment_rad);
-  const double limit = std::max(6.0 * config.range_sigma_m, 8.0 * spacing);
+  const double limit = std::max(kMaxSigmas * config.range_sigma_m, kMaxSpacings * spacing);
   return (line.points[beam] - line.points[beam - 1]).squaredNorm() > limit * limit;
 }
 

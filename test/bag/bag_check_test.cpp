@@ -114,7 +114,7 @@ TEST_F(BagCheck, NoTransforms) {
 
 TEST_F(BagCheck, NoStaticTransforms) {
   bag_.with_static = false;
-  finds_fault(check(bag_), "no transform from laser_tilt_link to base_footprint");
+  finds_fault(check(bag_), "no transform connects laser_tilt_link and base_footprint");
 }
 
 TEST_F(BagCheck, NoMapFrame) {

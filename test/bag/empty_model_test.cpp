@@ -29,6 +29,7 @@ TEST(EmptyModel, AModelWithoutPlanesSaysWhy) {
   EXPECT_THAT(summary_text(found.summary),
               ContainsRegex("WARNING no plane: [0-9]+ ribbons, but they"));
   EXPECT_THAT(summary_to_json(found.summary, "run"), HasSubstr("assembly.min_area_m2 (500 m2)"));
+  EXPECT_THAT(summary_to_json(found.summary, "run"), HasSubstr("\"assembly.min_area_m2\": 500"));
 }
 
 TEST(EmptyModel, ABagWhoseLinesGiveNothingIsAnErrorWithTheCause) {

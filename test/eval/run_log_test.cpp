@@ -93,6 +93,16 @@ TEST_F(Log, OtherContentIsRefusedWithItsLine) {
               testing::ThrowsMessage<std::runtime_error>(HasSubstr("--output")));
 }
 
+TEST_F(Log, RunsThatLackAKeyAreRefused) {
+  for (const std::string key : {"lines", "four_models"}) {
+    std::string line = line_of(run(1.0, 1));
+    line.replace(line.find("\"" + key + "\":"), 1, "\"former_");
+    write_content(path_, line);
+    EXPECT_THAT([&] { RunLog log(path_); },
+                testing::ThrowsMessage<std::runtime_error>(HasSubstr("has no '" + key + "'")));
+  }
+}
+
 TEST_F(Log, AFolderThatIsNotThereIsNamed) {
   RunLog log("/nowhere/runs.jsonl");
   EXPECT_THAT([&] { log.append(line_of(run(1.0, 1))); },

@@ -12,7 +12,7 @@ namespace ribbon_mapper::eval {
 namespace {
 
 TEST(Run, BeamsAreCountedAboutStraightAhead) {
-  for (const int count : {3, 380, 381, 720, 1040, 1080}) {
+  for (const int count : {3, 380, 381, 720, 1040, 1080, 1081}) {
     RunOptions run;
     run.beams = count;
     const sim::HokuyoConfig config = tour_config(run).hokuyo;

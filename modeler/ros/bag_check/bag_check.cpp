@@ -41,6 +41,7 @@ void report_drops(const LineLog& log, BagReport& report) {
                              " would be dropped: " + reason;
     dropped == log.lines() ? report.fault(text) : report.warning(text);
   }
+  if (dropped > 0) report.fact("the last of these lines: " + log.newest_drop());
   if (log.lost() > 0) {
     report.warning(counted(log.lost(), "line") +
                    " were lost before they were recorded: header.seq has gaps");

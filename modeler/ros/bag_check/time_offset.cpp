@@ -173,10 +173,12 @@ void report_offset(const TimeOffset& found, double given_s, BagReport& report) {
         "up and down sweeps agree: no time offset of the laser makes planes clearly thinner");
     return;
   }
-  const std::string total = number(given_s + found.offset_s, 3);
-  report.warning("up and down sweeps do not agree: scan_time_offset " + total +
-                 (found.time_increment_s ? " is needed as well" : planes) +
-                 " (--scan-time-offset " + total + ")");
+  const double total_s = std::round(1e3 * (given_s + found.offset_s)) / 1e3 + 0.0;  // no -0
+  const std::string total = number(total_s, 3);
+  report.warning(
+      "up and down sweeps do not agree: scan_time_offset " + total +
+      (found.time_increment_s ? " is needed as well" : planes) +
+      (total_s == 0.0 ? " (leave out --scan-time-offset)" : " (--scan-time-offset " + total + ")"));
 }
 
 }  // namespace

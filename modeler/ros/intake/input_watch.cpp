@@ -101,7 +101,9 @@ std::string InputWatch::lateness(const LineIntake& intake, const TransformBuffer
   std::ostringstream text;
   text << std::fixed << std::setprecision(1) << "Transforms of " << shown(latest) << " come "
        << latest_s << " s after their stamps, and lines wait "
-       << intake.options().transform_timeout_s << " s: raise ~transform_timeout";
+       << intake.options().transform_timeout_s
+       << " s: raise ~transform_timeout (transform_timeout:=" << std::setprecision(0)
+       << std::ceil(latest_s + 0.5) << ")";
   return text.str();
 }
 

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "modeler/ros/intake/line_poses.hpp"
 
+#include <tf2/exceptions.h>
+
 #include <stdexcept>
 
 #include "modeler/ros/messages/message_conversions.hpp"
@@ -22,10 +24,19 @@ MissingTransform missing_transform(const tf2::BufferCore& tf, const std::string&
   return {"no transform from " + shown(source) + " to " + shown(target) + " at its time", detail};
 }
 
+MissingTransform missing_link(const std::string& target, const std::string& source,
+                              const std::string& detail) {
+  return {"no transform connects " + shown(source) + " and " + shown(target) +
+              ": they are in two trees of tf",
+          detail};
+}
+
 Pose lookup(const tf2::BufferCore& tf, const std::string& target, const std::string& source,
             Time time) {
   try {
     return pose_of(tf.lookupTransform(target, source, stamp_of(time)).transform);
+  } catch (const tf2::ConnectivityException& error) {
+    throw LookupFailure{missing_link(target, source, shown(error.what(), 300))};
   } catch (const std::runtime_error& error) {  // of tf2; of ROS if times are 68 years apart
     throw LookupFailure{missing_transform(tf, target, source, shown(error.what(), 300))};
   }

@@ -46,11 +46,11 @@ bool MapServer::wants_model(std::size_t version, std::size_t revision) {
   return is_due || revision != given_revision_;
 }
 
-void MapServer::give(const Modeler& modeler, const std::vector<Plane>& planes) {
+void MapServer::give(const Modeler& modeler, const PlaneModel& model) {
   given_version_ = version_, given_revision_ = revision_;
   given_at_ = ros::WallTime::now();
-  worker_.give({planes, sight_lines_of(modeler.observations().posed(), planes, options_.maps,
-                                       origin_of(planes))});
+  worker_.give({model.planes, sight_lines_of(modeler.observations().posed(), model, options_.maps,
+                                             origin_of(model.planes))});
 }
 
 bool MapServer::on_get_map(nav_msgs::GetMap::Request&, nav_msgs::GetMap::Response& response) {

@@ -46,8 +46,8 @@ class MapServer {
   /// changes, `revision` the corrections.
   bool wants_model(std::size_t version, std::size_t revision);
 
-  /// Copies what maps are made from. `planes` are the model's.
-  void give(const Modeler& modeler, const std::vector<Plane>& planes);
+  /// Copies what maps are made from. `model` is the modeler's.
+  void give(const Modeler& modeler, const PlaneModel& model);
 
  private:
   bool on_get_map(nav_msgs::GetMap::Request&, nav_msgs::GetMap::Response& response);

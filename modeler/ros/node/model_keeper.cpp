@@ -93,10 +93,10 @@ std::string ModelKeeper::file_bytes(const std::string& map_frame) {
   return to_model_file(modeler_, map_frame, additions);
 }
 
-const std::vector<Plane>& ModelKeeper::planes() {
-  if (planes_version_ != version_) planes_ = modeler_.planes();
+const PlaneModel& ModelKeeper::plane_model() {
+  if (planes_version_ != version_) plane_model_ = modeler_.plane_model();
   planes_version_ = version_;
-  return planes_;
+  return plane_model_;
 }
 
 const std::vector<PlaneLabel>& ModelKeeper::labels() {

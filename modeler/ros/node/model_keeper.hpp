@@ -51,7 +51,9 @@ class ModelKeeper {
   /// Returns a number that every change of the model increases.
   std::size_t version() const { return version_; }
   /// Returns the final planes. Evaluates the whole model if it has changed since the last call.
-  const std::vector<Plane>& planes();
+  const std::vector<Plane>& planes() { return plane_model().planes; }
+  /// Returns the same with the ribbons that are gone.
+  const PlaneModel& plane_model();
 
   /// Returns the labels of planes(), in their order.
   const std::vector<PlaneLabel>& labels();
@@ -89,7 +91,7 @@ class ModelKeeper {
   double stripe_gap_m_;
   LineLog log_;
   std::size_t version_ = 1, planes_version_ = 0;
-  std::vector<Plane> planes_;  ///< of planes_version_
+  PlaneModel plane_model_;  ///< of planes_version_
   std::size_t labels_version_ = 0;
   Semantics semantics_;             ///< of labels_version_
   std::vector<PlaneLabel> labels_;  ///< of labels_version_

@@ -129,7 +129,7 @@ void ModelerNode::take_lines() {
 void ModelerNode::make_maps_if_wanted() {
   const Modeler& modeler = keeper_.modeler();
   if (!maps_.wants_model(keeper_.version(), modeler.statistics().revision)) return;
-  maps_.give(modeler, keeper_.planes());
+  maps_.give(modeler, keeper_.plane_model());
 }
 
 void ModelerNode::on_corrected_trajectory(const nav_msgs::Path& path) {

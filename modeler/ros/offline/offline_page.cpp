@@ -55,7 +55,7 @@ std::string offline_page(const OfflineRun& run, const std::string& run_id) {
   head.run = run_id;
   head.version = "ribbon_mapper " + version();
   head.command = run.command;
-  head.parameters = run.parameters;
+  head.parameters = run.summary.parameters;
   Report report =
       report_of(head, {"recorded poses, as built", &run.planes_before, run.trajectory_before,
                        "final", &run.planes_after, run.trajectory, run.labels, run.rooms});

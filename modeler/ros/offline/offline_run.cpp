@@ -105,7 +105,7 @@ void require_ribbons(const ModelKeeper& keeper, const OfflineSummary& summary) {
   }
   if (!log.newest_drop().empty()) why += "\nthe last one: " + log.newest_drop();
   for (const std::string& note : summary.notes) why += "\n" + note;
-  throw std::runtime_error(why + "\n`bag_check` says more");
+  throw std::runtime_error(why + "\n`bag_check` lists topics, frames and clocks of the bag");
 }
 
 /// Returns whether the base stands still: the localisation then cannot drift from line to line.
@@ -164,9 +164,10 @@ std::vector<StampedPose> final_poses(const OfflineOptions& options, Modelling& m
 }
 
 ModelMaps maps_of(ModelKeeper& keeper, const MapsConfig& config) {
-  const std::vector<Plane>& planes = keeper.planes();
+  const PlaneModel& model = keeper.plane_model();
   const PosedObservations observations = keeper.modeler().observations().posed();
-  return make_maps(planes, sight_lines_of(observations, planes, config, origin_of(planes)), config);
+  const Eigen::Vector3d origin = origin_of(model.planes);
+  return make_maps(model.planes, sight_lines_of(observations, model, config, origin), config);
 }
 
 void describe(const ModelKeeper& keeper, const ModelerConfig& config, OfflineRun& run) {
@@ -182,6 +183,8 @@ void describe(const ModelKeeper& keeper, const ModelerConfig& config, OfflineRun
   s.duplicates = duplicates_of_larger(run.planes_after, rule).size();
   s.points = point_count(run.planes_after);
   s.residual_m_median = median_residual_m(run.planes_after);
+  const std::string& newest_drop = keeper.log().newest_drop();
+  if (!newest_drop.empty()) s.notes.push_back("the last line that was dropped: " + newest_drop);
   const ModelStatistics statistics = keeper.modeler().statistics();
   if (statistics.no_return) s.notes.push_back(no_return_text(*statistics.no_return));
   if (run.planes_after.empty()) {
@@ -237,7 +240,7 @@ OfflineRun model_bags(const OfflineOptions& options, const ProgressCallback& pro
   run.floor_plan = keeper.floor_plan();
   run.stripe_gap_m = config.surface.stripe_gap_m;
   run.frame = options.bag.intake.frames.map;
-  run.parameters = changed_keys(config);
+  run.summary.parameters = changed_keys(config);
   run.trajectory = keeper.modeler().trajectory();
   run.model_file = keeper.file_bytes(run.frame);
   if (options.with_maps) run.maps = maps_of(keeper, config.maps);

@@ -10,7 +10,6 @@
 #include "modeler/floor_plan/floor_plan.hpp"
 #include "modeler/maps/model_maps.hpp"
 #include "modeler/program/progress.hpp"
-#include "modeler/report/changed_keys.hpp"
 #include "modeler/ros/offline/offline_options.hpp"
 #include "modeler/ros/offline/offline_summary.hpp"
 #include "modeler/semantics/plane_label.hpp"
@@ -35,7 +34,6 @@ struct OfflineRun {
   std::vector<Matrix6> covariances;                    ///< of an estimate, by pose of `trajectory`
   std::optional<ModelMaps> maps;                       ///< of the final model, if asked for
   FloorPlan floor_plan;                                ///< of the final model
-  std::vector<ChangedKey> parameters;                  ///< of the modeler, see changed_keys()
   std::string command;                                 ///< the command line; may be empty
 };
 

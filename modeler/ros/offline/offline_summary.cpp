@@ -16,6 +16,12 @@ Json counts(const std::map<std::string, std::size_t>& by_reason) {
   return by_reason.empty() ? Json::object() : Json(by_reason);
 }
 
+Json to_json(const std::vector<ChangedKey>& keys) {
+  Json json = Json::object();
+  for (const ChangedKey& key : keys) json[key.name] = Json::parse(key.value);
+  return json;
+}
+
 Json to_json(const std::optional<BaseScanFigures>& base) {
   if (!base) return nullptr;
   return {{"scan_topic", base->topic},
@@ -51,6 +57,7 @@ std::string summary_to_json(const OfflineSummary& s, const std::string& run_id) 
       {"run", run_id},
       {"bags", s.bags},
       {"config", s.config},
+      {"parameters", to_json(s.parameters)},
       {"scan_topic", s.scan_topic},
       {"trajectory", s.trajectory},
       {"estimate", to_json(s.estimate)},

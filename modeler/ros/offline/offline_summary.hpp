@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "modeler/chain/pose_precision.hpp"
+#include "modeler/report/changed_keys.hpp"
 #include "modeler/ros/offline/base_scans.hpp"
 
 namespace ribbon_mapper {
@@ -24,10 +25,11 @@ struct EstimateFigures {
 
 /// Summary of modelling a recording.
 struct OfflineSummary {
-  std::vector<std::string> bags;  ///< file names
-  std::string config;             ///< preset
-  std::string scan_topic;         ///< of the laser
-  std::string trajectory;         ///< where the poses of the final model are from
+  std::vector<std::string> bags;       ///< file names
+  std::string config;                  ///< preset
+  std::vector<ChangedKey> parameters;  ///< what it changes, see changed_keys()
+  std::string scan_topic;              ///< of the laser
+  std::string trajectory;              ///< where the poses of the final model are from
 
   std::optional<EstimateFigures> estimate;  ///< with the trajectory `self`
 

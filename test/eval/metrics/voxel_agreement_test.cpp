@@ -122,9 +122,9 @@ class MapsOfATour : public testing::TestWithParam<const char*> {
       insert(*scan);
     }
     modeler.correct(poses);
-    const std::vector<Plane> planes = modeler.planes();
-    sights_ = sight_lines_of(modeler.observations().posed(), planes, config_);
-    maps_.emplace(make_maps(planes, sights_, config_));
+    const PlaneModel model = modeler.plane_model();
+    sights_ = sight_lines_of(modeler.observations().posed(), model, config_);
+    maps_.emplace(make_maps(model.planes, sights_, config_));
     truth_.add_surfaces(world.triangles(), extent());
   }
 

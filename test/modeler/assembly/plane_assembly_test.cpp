@@ -23,7 +23,8 @@ const AssemblyConfig kAssemblyConfig;
 std::vector<Plane> planes_of(const Scene& scene,
                              const AssociationGates& within = kAssociation.corrected) {
   return assembled_planes(scene.map(within).merged_hypotheses(), within, scene.observations(),
-                          kSurfaceConfig, kAssemblyConfig);
+                          kSurfaceConfig, kAssemblyConfig)
+      .planes;
 }
 
 /// Returns the planes as built on the way.
@@ -55,7 +56,8 @@ TEST(AssembledPlanes, AreSplitWhereTwoLevelsWereTakenForATiltedPlane) {
     scene.add(patch({1.013, 0.017, 0.0}, kX, kY));
     scene.add(patch({2.513, 0.017, step_m}, kX, kY));
     const auto planes = assembled_planes({scene.whole()}, kAssociation.corrected,
-                                         scene.observations(), kSurfaceConfig, kAssemblyConfig);
+                                         scene.observations(), kSurfaceConfig, kAssemblyConfig)
+                            .planes;
     ASSERT_EQ(step_m == 0.0 ? 1u : 2u, planes.size());
     for (const Plane& plane : planes) EXPECT_NEAR(1.0, plane.normal.z(), 1e-6);
   }

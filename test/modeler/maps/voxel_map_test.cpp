@@ -15,9 +15,9 @@ using namespace mini_world;
 
 struct Maps {
   explicit Maps(const Modeler& modeler, const MapsConfig& config = {})
-      : planes(modeler.planes()),
-        sights(sight_lines_of(modeler.observations().posed(), planes, config)),
-        voxels(make_voxel_map(planes, sights, config)),
+      : model(modeler.plane_model()),
+        sights(sight_lines_of(modeler.observations().posed(), model, config)),
+        voxels(make_voxel_map(model.planes, sights, config)),
         level(make_navigation_map(voxels, sights, config)) {}
 
   VoxelState at(double x, double y, double z) const {
@@ -30,7 +30,7 @@ struct Maps {
     return level.cells.at(row * level.width + column);
   }
 
-  std::vector<Plane> planes;
+  PlaneModel model;
   SightLines sights;
   VoxelMap voxels;
   NavigationMap level;
@@ -90,6 +90,30 @@ TEST(VoxelMap, ACorrectedModelHasTheMapOfOneThatNeverDrifted) {
   // Rounding decides where a fan ends on the border of a voxel.
   EXPECT_GE(static_cast<double>(as_corrected), 0.999 * static_cast<double>(all));
   EXPECT_LT(static_cast<double>(as_drifted), 0.98 * static_cast<double>(all));
+}
+
+/// Returns the number of loose returns where the screen of room_with_screen() stands.
+int returns_at_screen(const SightLines& sights) {
+  const Eigen::AlignedBox3f screen(Eigen::Vector3f(1.4F, -0.4F, 0.2F),
+                                   Eigen::Vector3f(1.6F, 0.4F, 1.8F));
+  int count = 0;
+  for (const LooseReturn& loose : sights.returns) count += screen.contains(loose.point);
+  return count;
+}
+
+TEST(SightLines, WhatIsGoneHasNoReturns) {
+  Lines lines = drive(room_with_screen(), tilting_in_place(), 0.0, 12.0);
+  for (const Line& line : drive(room(), tilting_in_place(), 12.0, 24.0)) lines.push_back(line);
+  Modeler modeler = model_of(lines);
+  modeler.correct(true_trajectory(lines));
+  PlaneModel model = modeler.plane_model();
+  const PosedObservations observations = modeler.observations().posed();
+  const SightLines without = sight_lines_of(observations, model, {});
+  model.gone_ribbons.clear();
+  const SightLines with = sight_lines_of(observations, model, {});
+  EXPECT_GT(returns_at_screen(with), 1000);
+  EXPECT_EQ(returns_at_screen(without), 0);
+  EXPECT_EQ(without.fans.size(), with.fans.size()) << "its beams were free up to it";
 }
 
 TEST(VoxelMap, WithoutLinesItIsEmpty) {
