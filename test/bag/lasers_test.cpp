@@ -138,6 +138,7 @@ TEST_F(Lasers, ThatLoseMostLinesCanBeMappedIfTheRestMakesPlanes) {
     if (line % 5 > 1) scan.header.frame_id = "elsewhere";
   });
   EXPECT_THAT(text, HasSubstr("WARNING  120 lines of 200 would be dropped"));
+  EXPECT_THAT(text, HasSubstr("the last of these lines: frame elsewhere is not in tf"));
   EXPECT_THAT(text, HasSubstr("VERDICT  this can be mapped"));
 }
 

@@ -75,6 +75,8 @@ TEST(Load, TakesFromABagWhatIsLaterThanTheModel) {
   EXPECT_EQ(again.summary.dropped_lines.at("older than the loaded model") +
                 again.summary.handled_lines.at("no returns"),
             480u);
+  EXPECT_THAT(summary_text(again.summary),
+              HasSubstr("  the last of these: older than the loaded model\n"));
   EXPECT_EQ(planes_to_json(whole.planes_after), planes_to_json(again.planes_after));
 }
 

@@ -124,7 +124,10 @@ IntakeOptions BagLines::with_frames_chosen() {
   const std::string lack = "tf has no frame " + missing + ", but " + tree.text(laser_frame_);
   const auto chosen = choose_frames(tree, laser_frame_, frames, options_.named_frames);
   if (!chosen) {
-    choices_.push_back(lack + ": set --map-frame, --odom-frame and --base-frame");
+    const NamedFrames& named = options_.named_frames;
+    const bool is_named = named.map || named.odom || named.base;
+    choices_.push_back(lack + ": set --map-frame, --odom-frame and --base-frame" +
+                       (is_named ? ", or leave out those that you have set" : ""));
     return options_.intake;
   }
   std::string text = lack + ": " + settings_text(frames, *chosen, "--", "-frame ");

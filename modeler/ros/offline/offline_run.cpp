@@ -174,6 +174,7 @@ void describe(const ModelKeeper& keeper, const ModelerConfig& config, OfflineRun
   OfflineSummary& s = run.summary;
   s.lines = keeper.log().lines();
   s.dropped_lines = keeper.log().dropped_by_reason();
+  s.newest_drop = keeper.log().newest_drop();
   s.handled_lines = keeper.log().handled_by_outcome();
   s.ribbons = keeper.modeler().statistics().ribbons;
   s.planes_before = run.planes_before.size();
@@ -183,8 +184,6 @@ void describe(const ModelKeeper& keeper, const ModelerConfig& config, OfflineRun
   s.duplicates = duplicates_of_larger(run.planes_after, rule).size();
   s.points = point_count(run.planes_after);
   s.residual_m_median = median_residual_m(run.planes_after);
-  const std::string& newest_drop = keeper.log().newest_drop();
-  if (!newest_drop.empty()) s.notes.push_back("the last line that was dropped: " + newest_drop);
   const ModelStatistics statistics = keeper.modeler().statistics();
   if (statistics.no_return) s.notes.push_back(no_return_text(*statistics.no_return));
   if (run.planes_after.empty()) {

@@ -66,6 +66,7 @@ std::string summary_to_json(const OfflineSummary& s, const std::string& run_id) 
       {"lost_lines", s.lost_lines},
       {"dropped_lines", counts(s.dropped_lines)},
       {"dropped_lines_total", dropped_total(s)},
+      {"newest_drop", s.newest_drop},
       {"handled_lines", counts(s.handled_lines)},
       {"repeated_transforms", s.repeated_transforms},
       {"refused_transforms", s.refused_transforms},
@@ -93,6 +94,7 @@ std::string summary_text(const OfflineSummary& s) {
   for (const auto& [reason, count] : s.dropped_lines) {
     text << "  dropped: " << count << " x " << reason << "\n";
   }
+  if (!s.newest_drop.empty()) text << "  the last of these: " << s.newest_drop << "\n";
   for (const auto& [outcome, count] : s.handled_lines)
     text << "  " << outcome << ": " << count << "\n";
   text << s.planes << " planes (" << s.planes_before << " as built on the way), " << s.duplicates

@@ -37,6 +37,7 @@ struct OfflineSummary {
 
   std::size_t lines = 0;                             ///< scans received
   std::map<std::string, std::size_t> dropped_lines;  ///< by reason
+  std::string newest_drop;                           ///< see LineLog::newest_drop()
   std::map<std::string, std::size_t> handled_lines;  ///< by outcome, see LineResult
   std::size_t lost_lines = 0;               ///< before they were recorded, see LineLog::lost()
   std::size_t repeated_transforms = 0;      ///< left out: stamped as one before
