@@ -224,7 +224,8 @@ class BadInput(unittest.TestCase):
         self.robot.take(60)
 
     def test_save_takes_a_name_only(self):
-        for name in ('', '..', '../escape', 'a/b', '/tmp/x', '.hidden', 'a..b', 'x' * 100, 'a b'):
+        for name in ('', '..', '../escape', 'a/b', '/tmp/x', '.hidden', 'a..b', 'x' * 100, 'a b',
+                     'wall_rooms', 'wall_map', 'autosave'):
             answer = self.save(name)
             self.assertFalse(answer.success, name)
             self.assertTrue(answer.message, name)

@@ -3,6 +3,7 @@
 #include "modeler/ros/node/model_services.hpp"
 
 #include <exception>
+#include <regex>
 #include <stdexcept>
 #include <utility>
 
@@ -16,6 +17,16 @@
 
 namespace ribbon_mapper {
 namespace {
+
+/// Throws std::invalid_argument if a save of this name would write files of another one.
+void check_files_of_its_own(const std::string& name) {
+  if (is_reserved_name(name)) throw std::invalid_argument(name + " is a name of its own use");
+  static const std::regex kFurtherFiles(".*_(cells|rooms|floor_plan|map)");
+  if (!std::regex_match(name, kFurtherFiles)) return;
+  throw std::invalid_argument(name +
+                              " may be files of another save, as all names that end in "
+                              "_cells, _rooms, _floor_plan or _map: choose another ending");
+}
 
 std::vector<Plane> planes_asked_for(const GetModel::Request& request, ModelKeeper& keeper) {
   if (request.which == GetModel::Request::BEFORE_CORRECTION)
@@ -80,7 +91,7 @@ Save::Response save_response(const std::string& name, ModelKeeper& keeper,
   Save::Response response;
   try {
     check_save_name(name);
-    if (is_reserved_name(name)) throw std::invalid_argument(name + " is a name of its own use");
+    check_files_of_its_own(name);
     const std::vector<Plane>& planes = keeper.planes();
     response.message = std::to_string(planes.size()) + " planes written to";
     const auto page = [&](const std::string& run) {
