@@ -109,7 +109,7 @@ INSTANTIATE_TEST_SUITE_P(
                     std::pair(Arguments{"--tilt", "wild"}, "manip"),
                     std::pair(Arguments{"--tilt", "nav,wild"}, "manip"),
                     std::pair(Arguments{"--drift", "1,-1"}, "--drift"),
-                    std::pair(Arguments{"--beams", "1081"}, "--beams"),
+                    std::pair(Arguments{"--beams", "1082"}, "--beams"),
                     std::pair(Arguments{"--speed", "0"}, "--speed"),
                     std::pair(Arguments{"--deskew", "maybe"}, "--deskew"),
                     std::pair(Arguments{"--odometry-faults", "slip=30"}, "slip=T:DEGREES"),
