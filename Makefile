@@ -70,13 +70,13 @@ tsan: ## what has threads under ThreadSanitizer, in build/tsan
 	cd build/tsan && $(SANITIZER_OPTIONS) ctest --output-on-failure \
 	  -R '^(eval_test|live_slam_test|sim_test|series_command_test)$$'
 
-# In a copy of the sources, as dpkg writes beside them.
+# In a copy of the sources, as dpkg writes beside them; hidden, as roslaunch finds files in all other folders.
 deb: GROUP = deb
 deb: ## Debian packages, in build/deb
 	./install_dependencies $(GROUP)
-	rm -rf build/deb && mkdir -p build/deb/source
-	tar -c --exclude-vcs --exclude=./build --exclude=./devel --exclude=./results . | tar -x -C build/deb/source
-	cd build/deb/source && DEB_BUILD_OPTIONS=parallel=$(JOBS) dpkg-buildpackage -us -uc -b
+	rm -rf build/deb && mkdir -p build/deb/.source
+	tar -c --exclude-vcs --exclude=./build --exclude=./devel --exclude=./results . | tar -x -C build/deb/.source
+	cd build/deb/.source && DEB_BUILD_OPTIONS=parallel=$(JOBS) dpkg-buildpackage -us -uc -b
 	lintian --fail-on error build/deb/*.changes
 
 clean: ## forget everything that was built

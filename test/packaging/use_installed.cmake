@@ -7,7 +7,8 @@ function(run)
   endif()
 endfunction()
 
-file(REMOVE_RECURSE ${SCRATCH})
+get_filename_component(folder ${SCRATCH} DIRECTORY)
+file(REMOVE_RECURSE ${SCRATCH} ${folder}/scratch)  # the second one is of earlier versions
 run(${CMAKE_COMMAND} --install ${BUILD_DIR} --prefix ${SCRATCH}/prefix)
 set(flags ${FLAGS})
 if(SANITIZE)

@@ -11,6 +11,7 @@ import xml.etree.ElementTree
 import roslaunch.arg_dump
 import roslaunch.config
 import roslaunch.xmlloader
+import roslib.packages
 import yaml
 
 PACKAGE = os.path.dirname(os.path.dirname(os.path.dirname(os.path.abspath(__file__))))
@@ -36,6 +37,11 @@ class Files(unittest.TestCase):
             self.assertFalse(config.config_errors, file)
             for node in config.nodes:
                 self.assertTrue(node.name and node.package and node.type, file)
+
+    def test_each_launch_file_is_found_once(self):
+        for file in shipped('launch/*.launch'):
+            name = os.path.basename(file)
+            self.assertEqual(roslib.packages.find_resource('ribbon_mapper', name), [file])
 
     def test_loop_closure_starts_all_of_the_chain(self):
         file = os.path.join(PACKAGE, 'launch/loop_closure.launch')
