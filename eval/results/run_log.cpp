@@ -70,7 +70,8 @@ std::optional<std::string> first_lacking(const Json& expected, const Json& json)
 /// Throws std::invalid_argument if a run lacks a key that each run of this program has: it was made
 /// by a program of the same commit, before a change that is not committed.
 void require_all_keys(const std::string& line) {
-  const auto key = first_lacking(Json::parse(run_line(Summary{}, "")), Json::parse(line));
+  static const Json kEmptyRun = Json::parse(run_line(Summary{}, ""));
+  const auto key = first_lacking(kEmptyRun, Json::parse(line));
   if (!key) return;
   throw std::invalid_argument("the run has no '" + *key + "', which this program writes");
 }

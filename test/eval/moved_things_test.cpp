@@ -3,7 +3,6 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <cstdlib>
 #include <map>
 
 #include "eval/experiment/run.hpp"
@@ -11,6 +10,7 @@
 #include "modeler/maps/model_maps.hpp"
 #include "modeler/modeler.hpp"
 #include "modeler/observations/observations.hpp"
+#include "test/io/environment_number.hpp"
 
 namespace ribbon_mapper::eval {
 namespace {
@@ -19,10 +19,7 @@ constexpr const char* kBefore = "test/data/moved/before.sdf";
 constexpr const char* kAfter = "test/data/moved/after.sdf";
 
 /// Returns how many seeds are tried: three, or as many as RIBBON_MAPPER_SEEDS says.
-int number_of_seeds() {
-  const char* text = std::getenv("RIBBON_MAPPER_SEEDS");
-  return text == nullptr ? 3 : std::atoi(text);
-}
+int number_of_seeds() { return environment_number("RIBBON_MAPPER_SEEDS", 3); }
 
 /// A tour in two laps: somebody moves a cupboard and a chair and opens a door between them.
 class MovedThings : public testing::TestWithParam<int> {

@@ -7,12 +7,12 @@
 #include <unistd.h>
 
 #include <csignal>
-#include <cstdlib>
 #include <random>
 #include <set>
 
 #include "modeler/io/save.hpp"
 #include "modeler/model_file/model_file.hpp"
+#include "test/io/environment_number.hpp"
 #include "test/io/temporary_directory.hpp"
 #include "test/model_file/small_model.hpp"
 
@@ -21,10 +21,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-int number_of_kills() {
-  const char* text = std::getenv("RIBBON_MAPPER_KILLS");
-  return text == nullptr ? 40 : std::atoi(text);
-}
+int number_of_kills() { return environment_number("RIBBON_MAPPER_KILLS", 40); }
 
 /// Saves two models in turn, each as an autosave and as a set with meshes, until it is killed. Each
 /// save is announced by a byte.

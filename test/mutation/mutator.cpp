@@ -8,11 +8,12 @@
 
 #include <algorithm>
 #include <cctype>
-#include <cstdlib>
 #include <exception>
 #include <filesystem>
 #include <fstream>
 #include <utility>
+
+#include "test/io/environment_number.hpp"
 
 namespace ribbon_mapper::mutation {
 namespace {
@@ -21,10 +22,7 @@ constexpr unsigned kMostSeconds = 10;
 constexpr long kMostKilobytes = 2L << 20;
 constexpr std::size_t kLongestMessage = 2000;
 
-int number_of_mutations() {
-  const char* text = std::getenv("RIBBON_MAPPER_MUTATIONS");
-  return text == nullptr ? 300 : std::atoi(text);
-}
+int number_of_mutations() { return environment_number("RIBBON_MAPPER_MUTATIONS", 300); }
 
 long peak_kilobytes() {
   rusage usage{};

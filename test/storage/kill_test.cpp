@@ -7,13 +7,13 @@
 #include <unistd.h>
 
 #include <csignal>
-#include <cstdlib>
 #include <nlohmann/json.hpp>
 #include <random>
 #include <set>
 
 #include "modeler/io/save.hpp"
 #include "modeler/surface/surface_config.hpp"
+#include "test/io/environment_number.hpp"
 #include "test/io/small_plane.hpp"
 #include "test/io/temporary_directory.hpp"
 
@@ -25,10 +25,7 @@ namespace fs = std::filesystem;
 const std::vector<std::string> kNames{"kitchen.json", "kitchen.ply", "kitchen_cells.ply",
                                       "kitchen.bt"};
 
-int number_of_kills() {
-  const char* text = std::getenv("RIBBON_MAPPER_KILLS");
-  return text == nullptr ? 40 : std::atoi(text);
-}
+int number_of_kills() { return environment_number("RIBBON_MAPPER_KILLS", 40); }
 
 /// Returns a model whose run id depends on `number`.
 std::vector<Plane> model(int number) {
