@@ -8,6 +8,7 @@
 #include <optional>
 #include <utility>
 
+#include "modeler/assembly/box_index.hpp"
 #include "modeler/polygon/polygon_operations.hpp"
 #include "modeler/surface/outline.hpp"
 
@@ -43,14 +44,11 @@ Seen seen(const Plane& plane) {
 /// Moves the corners of one plane.
 class CornerJoiner {
  public:
-  CornerJoiner(const Seen& own, const std::vector<Seen>& all, double reach_m)
-      : plane_(*own.plane), reach_m_(reach_m) {
-    for (const Seen& other : all) {
-      const double sine = plane_.normal.cross(other.plane->normal).norm();
-      if (sine < kLeastSine) continue;
-      if (own.box.squaredExteriorDistance(other.box) <= 4.0 * reach_m * reach_m) {
-        neighbours_.push_back(&other);
-      }
+  CornerJoiner(const Plane& plane, const std::vector<const Seen*>& near, double reach_m)
+      : plane_(plane), reach_m_(reach_m) {
+    for (const Seen* other : near) {
+      const double sine = plane_.normal.cross(other->plane->normal).norm();
+      if (sine >= kLeastSine) neighbours_.push_back(other);
     }
   }
 
@@ -139,9 +137,18 @@ class CornerJoiner {
 
 void join_at_corner_lines(std::vector<Plane>& planes, double reach_m) {
   std::vector<Seen> all;
-  for (const Plane& plane : planes) all.push_back(seen(plane));
+  std::vector<Eigen::AlignedBox3d> boxes;
+  for (const Plane& plane : planes) {
+    all.push_back(seen(plane));
+    boxes.push_back(all.back().box);
+  }
+  const BoxIndex index(boxes);
   std::vector<std::vector<Outline>> joined;
-  for (const Seen& own : all) joined.push_back(CornerJoiner(own, all, reach_m).joined());
+  for (const Seen& own : all) {
+    std::vector<const Seen*> near;
+    for (const std::size_t i : index.near(own.box, 2.0 * reach_m)) near.push_back(&all[i]);
+    joined.push_back(CornerJoiner(*own.plane, near, reach_m).joined());
+  }
   for (std::size_t i = 0; i < planes.size(); ++i) planes[i].outlines = std::move(joined[i]);
 }
 

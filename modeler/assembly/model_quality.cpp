@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "modeler/assembly/box_index.hpp"
 #include "modeler/geometry/angles.hpp"
 #include "modeler/surface/footprint.hpp"
 
@@ -51,8 +52,10 @@ std::vector<std::size_t> duplicates_of_larger(const std::vector<Plane>& planes,
   std::vector<std::size_t> duplicates;
   std::vector<Footprint> footprints;
   for (const Plane& plane : planes) footprints.emplace_back(plane, rule.touching_m);
+  const BoxIndex index(boxes_of_cells(planes));
+  const double reach_m = 2.0 * M_SQRT2 * rule.touching_m + rule.max_offset_m;  // of a footprint
   for (std::size_t i = 0; i < planes.size(); ++i) {
-    for (std::size_t j = 0; j < planes.size(); ++j) {
+    for (const std::size_t j : index.near(box_of_cells(planes[i]), reach_m)) {
       const bool j_is_larger = planes[j].area_m2 > planes[i].area_m2 ||
                                (planes[j].area_m2 == planes[i].area_m2 && j < i);
       if (!j_is_larger || !is_duplicate(planes[i], footprints[j], rule)) continue;

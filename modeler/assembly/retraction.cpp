@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "modeler/assembly/box_index.hpp"
 #include "modeler/geometry/angles.hpp"
 #include "modeler/geometry/grid_keys.hpp"
 
@@ -41,14 +42,10 @@ class PassedCells {
       : plane_(&plane),
         beyond_m_(config.passed_beyond_m),
         min_sine_(std::sin(kMinAngle_deg * kDegree)),
-        min_passes_(static_cast<std::uint32_t>(config.passed_lines)) {
-    for (const PlaneCell& cell : plane.cells) {
-      u_begin_ = std::min(u_begin_, cell.u), u_end_ = std::max(u_end_, cell.u + 1);
-      v_begin_ = std::min(v_begin_, cell.v), v_end_ = std::max(v_end_, cell.v + 1);
-    }
-    cells_.resize(static_cast<std::size_t>(u_end_ - u_begin_) *
-                  static_cast<std::size_t>(v_end_ - v_begin_));
-  }
+        min_passes_(static_cast<std::uint32_t>(config.passed_lines)),
+        bounds_(bounds_of_cells(plane)),
+        cells_(static_cast<std::size_t>(bounds_.u_end - bounds_.u_begin) *
+               static_cast<std::size_t>(bounds_.v_end - bounds_.v_begin)) {}
 
   /// Counts the points of a line on the plane.
   void hit(const Beams& beams) {
@@ -79,15 +76,6 @@ class PassedCells {
               beams.line());
   }
 
-  /// Returns the box around the cells, in map.
-  Eigen::AlignedBox3d box() const {
-    Eigen::AlignedBox3d result;
-    for (const int u : {u_begin_, u_end_}) {
-      for (const int v : {v_begin_, v_end_}) result.extend(grid_corner(*plane_, u, v));
-    }
-    return result;
-  }
-
   /// Returns the plane's cells that are left. Only passed areas of three by three cells go.
   std::vector<PlaneCell> remaining() {
     mark_areas();
@@ -107,11 +95,12 @@ class PassedCells {
   };
 
   std::size_t index(int u, int v) const {
-    return static_cast<std::size_t>(v - v_begin_) * static_cast<std::size_t>(u_end_ - u_begin_) +
-           static_cast<std::size_t>(u - u_begin_);
+    return static_cast<std::size_t>(v - bounds_.v_begin) *
+               static_cast<std::size_t>(bounds_.u_end - bounds_.u_begin) +
+           static_cast<std::size_t>(u - bounds_.u_begin);
   }
   bool holds(int u, int v) const {
-    return u >= u_begin_ && u < u_end_ && v >= v_begin_ && v < v_end_;
+    return u >= bounds_.u_begin && u < bounds_.u_end && v >= bounds_.v_begin && v < bounds_.v_end;
   }
   double distance_m(const Eigen::Vector3d& point) const {
     return plane_->normal.dot(point) + plane_->d_m;
@@ -135,7 +124,8 @@ class PassedCells {
   }
   void count_way(const Eigen::Vector2d& from, const Eigen::Vector2d& to, std::uint32_t line) {
     const Eigen::Vector2d low = from.cwiseMin(to), high = from.cwiseMax(to);
-    if (high.x() < u_begin_ || low.x() >= u_end_ || high.y() < v_begin_ || low.y() >= v_end_)
+    if (high.x() < bounds_.u_begin || low.x() >= bounds_.u_end || high.y() < bounds_.v_begin ||
+        low.y() >= bounds_.v_end)
       return;
     const Eigen::Vector2d way = to - from;
     const int steps = std::max(1, floor_to_int(2.0 * way.cwiseAbs().maxCoeff()));
@@ -155,8 +145,8 @@ class PassedCells {
     for (int i = 0; i < 9; ++i) function(u + i % 3 - 1, v + i / 3 - 1);
   }
   void mark_areas() {
-    for (int v = v_begin_ + 1; v < v_end_ - 1; ++v) {
-      for (int u = u_begin_ + 1; u < u_end_ - 1; ++u) {
+    for (int v = bounds_.v_begin + 1; v < bounds_.v_end - 1; ++v) {
+      for (int u = bounds_.u_begin + 1; u < bounds_.u_end - 1; ++u) {
         bool all = true;
         for_each_of_block(u, v, [&](int a, int b) { all = all && is_passed(a, b); });
         if (!all) continue;
@@ -168,7 +158,7 @@ class PassedCells {
   const Plane* plane_;
   double beyond_m_, min_sine_;
   std::uint32_t min_passes_;
-  int u_begin_ = 1 << 30, u_end_ = -(1 << 30), v_begin_ = 1 << 30, v_end_ = -(1 << 30);
+  CellRectangle bounds_;
   std::vector<Cell> cells_;
 };
 
@@ -178,11 +168,9 @@ class Counting {
   Counting(const std::vector<Plane>& planes, const PosedObservations& observations,
            const AssemblyConfig& config)
       : observations_(observations),
-        plane_of_(planes_by_ribbon(observations.ribbon_count(), planes)) {
-    for (const Plane& plane : planes) {
-      cells_.emplace_back(plane, config);
-      boxes_.push_back(cells_.back().box());
-    }
+        plane_of_(planes_by_ribbon(observations.ribbon_count(), planes)),
+        index_(boxes_of_cells(planes)) {
+    for (const Plane& plane : planes) cells_.emplace_back(plane, config);
   }
 
   /// Counts all lines and moves the cells out.
@@ -206,8 +194,7 @@ class Counting {
                          observations_.unassigned()[line].sensor);
       reach.extend(chunk.back().sensor).extend(chunk.back().first).extend(chunk.back().last);
     }
-    for (std::size_t plane = 0; plane < cells_.size(); ++plane) {
-      if (!reach.intersects(boxes_[plane])) continue;
+    for (const std::size_t plane : index_.near(reach, 0.0)) {
       for (std::size_t i = begin; i < end; ++i) {
         if (plane_of_[i] == static_cast<std::int32_t>(plane)) {
           cells_[plane].hit(chunk[i - begin]);
@@ -220,8 +207,8 @@ class Counting {
 
   const PosedObservations& observations_;
   std::vector<std::int32_t> plane_of_;
-  std::vector<PassedCells> cells_;
-  std::vector<Eigen::AlignedBox3d> boxes_;  // of cells_
+  std::vector<PassedCells> cells_;  // by plane
+  BoxIndex index_;                  // of the planes
 };
 
 /// Takes the cells of a plane that are not among those that remain. Returns whether the plane does.

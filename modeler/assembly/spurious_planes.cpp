@@ -8,6 +8,7 @@
 #include <numeric>
 #include <optional>
 
+#include "modeler/assembly/box_index.hpp"
 #include "modeler/geometry/angles.hpp"
 #include "modeler/surface/footprint.hpp"
 
@@ -20,22 +21,16 @@ class MeasuredCells {
   /// Refers to the cells of a plane, which must outlive it.
   explicit MeasuredCells(const Plane& plane) : plane_(&plane) {
     if (plane.cells.empty()) return;
-    Eigen::AlignedBox2i grid;
     const PlaneCell* const end = plane.cells.data() + plane.cells.size();
     for (const PlaneCell *row = plane.cells.data(), *next = row; row != end; row = next) {
       for (; next != end && next->v == row->v; ++next) {
         max_m_ = std::max(max_m_, std::abs(next->mean_m));
       }
       rows_.push_back({row, next});
-      grid.extend(Eigen::Vector2i(row->u, row->v)).extend(Eigen::Vector2i(next[-1].u, row->v));
     }
-    for (const int u : {grid.min().x(), grid.max().x() + 1}) {
-      for (const int v : {grid.min().y(), grid.max().y() + 1}) {
-        const Eigen::Vector3d corner = grid_corner(plane, u, v);
-        box_.extend(corner + max_m_ * plane.normal);
-        box_.extend(corner - max_m_ * plane.normal);
-      }
-    }
+    const Eigen::AlignedBox3d on_plane = box_of_cells(plane);
+    const Eigen::Vector3d above = (max_m_ * plane.normal).cwiseAbs();
+    box_ = {on_plane.min() - above, on_plane.max() + above};
   }
 
   /// Returns the plane.
@@ -79,22 +74,14 @@ class MeasuredCells {
 /// A plane that the points of smaller, spurious planes may lie on.
 class SupportingPlane {
  public:
-  /// Refers to the plane of the cells, which must outlive it.
-  SupportingPlane(const MeasuredCells& measured, const AssociationGates& gates,
-                  double bridged_gap_m, const AssemblyConfig& config)
-      : plane_(&measured.plane()),
+  /// Refers to a plane, which must outlive it.
+  SupportingPlane(const Plane& plane, const AssociationGates& gates, double bridged_gap_m,
+                  const AssemblyConfig& config)
+      : plane_(&plane),
         min_cosine_(std::cos(gates.angle_deg * kDegree)),
         cell_gate_m_(std::min(config.on_plane_m, 0.5 * gates.distance_m)),
         bridged_gap_m_(bridged_gap_m),
-        config_(&config),
-        box_(measured.box()) {
-    const double margin_m = bridged_gap_m + config.on_plane_m;  // twice the wider reach
-    box_.min().array() -= margin_m;
-    box_.max().array() += margin_m;
-  }
-
-  /// Returns false if no point in the box can lie on this plane.
-  bool is_near(const Eigen::AlignedBox3d& box) const { return box_.intersects(box); }
+        config_(&config) {}
 
   /// Marks the cells of `other` whose mean points lie on this plane.
   void mark_supported(const MeasuredCells& other, std::vector<bool>& supported) {
@@ -125,19 +112,17 @@ class SupportingPlane {
   double cell_gate_m_;  // of a plane that is tilted by more
   double bridged_gap_m_;
   const AssemblyConfig* config_;
-  Eigen::AlignedBox3d box_;
   std::optional<Footprint> beside_, beyond_gap_;
 };
 
-/// Returns true if most of the cells lie on larger planes.
-bool is_spurious(const MeasuredCells& measured, std::vector<SupportingPlane>& larger) {
-  const std::size_t cells = measured.plane().cells.size();
-  std::vector<bool> supported(cells, false);
-  for (SupportingPlane& support : larger) {
-    if (support.is_near(measured.box())) support.mark_supported(measured, supported);
-  }
-  const auto count = std::count(supported.begin(), supported.end(), true);
-  return 2 * static_cast<std::size_t>(count) > cells;
+/// Returns the indices of the planes, the largest first.
+std::vector<std::size_t> by_size(const std::vector<const Plane*>& planes) {
+  std::vector<std::size_t> order(planes.size());
+  std::iota(order.begin(), order.end(), std::size_t{0});
+  std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
+    return planes[a]->area_m2 > planes[b]->area_m2;
+  });
+  return order;
 }
 
 }  // namespace
@@ -145,17 +130,25 @@ bool is_spurious(const MeasuredCells& measured, std::vector<SupportingPlane>& la
 std::vector<bool> are_spurious(const std::vector<const Plane*>& planes,
                                const AssociationGates& gates, double bridged_gap_m,
                                const AssemblyConfig& config) {
-  std::vector<std::size_t> order(planes.size());
-  std::iota(order.begin(), order.end(), std::size_t{0});
-  std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
-    return planes[a]->area_m2 > planes[b]->area_m2;
-  });
+  std::vector<MeasuredCells> measured;
+  std::vector<Eigen::AlignedBox3d> boxes;
+  for (const Plane* plane : planes) {
+    measured.emplace_back(*plane);
+    boxes.push_back(measured.back().box());
+  }
+  const BoxIndex index(boxes);
+  const double reach_m = bridged_gap_m + config.on_plane_m;  // twice the wider reach
   std::vector<bool> spurious(planes.size());
-  std::vector<SupportingPlane> larger;
-  for (const std::size_t i : order) {
-    const MeasuredCells measured(*planes[i]);
-    spurious[i] = is_spurious(measured, larger);
-    if (!spurious[i]) larger.emplace_back(measured, gates, bridged_gap_m, config);
+  std::vector<std::optional<SupportingPlane>> larger(planes.size());
+  for (const std::size_t i : by_size(planes)) {
+    const std::size_t cells = planes[i]->cells.size();
+    std::vector<bool> supported(cells, false);
+    for (const std::size_t near : index.near(boxes[i], reach_m)) {
+      if (larger[near]) larger[near]->mark_supported(measured[i], supported);
+    }
+    const auto count = std::count(supported.begin(), supported.end(), true);
+    spurious[i] = 2 * static_cast<std::size_t>(count) > cells;
+    if (!spurious[i]) larger[i].emplace(*planes[i], gates, bridged_gap_m, config);
   }
   return spurious;
 }

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <Eigen/Core>
+#include <Eigen/Geometry>
 #include <cstddef>
 #include <cstdint>
 #include <vector>
@@ -72,6 +72,14 @@ struct CellRectangle {
   std::int32_t v_begin = 0;  ///< first row
   std::int32_t v_end = 0;    ///< one past the last row
 };
+
+/// Returns the smallest rectangle around the cells of a plane.
+CellRectangle bounds_of_cells(const Plane& plane);
+
+/// Returns the box around that rectangle, in the frame of the plane; empty without cells.
+Eigen::AlignedBox3d box_of_cells(const Plane& plane);
+/// Returns box_of_cells() of each plane.
+std::vector<Eigen::AlignedBox3d> boxes_of_cells(const std::vector<Plane>& planes);
 
 /// Returns the surface of a plane as few rectangles that do not overlap, for meshes and markers.
 /// Closes stripes between scan lines of up to `stripe_gap_m`; see SurfaceConfig::stripe_gap_m.

@@ -37,7 +37,7 @@ _SIM = ["sim/shapes", "sim/sdf", "sim/world", "sim/rays", "sim/robot", "sim/tour
 _POSE = ["modeler/geometry/time.hpp", "modeler/geometry/pose.hpp"]
 
 ROOMS = {
-    **{f"modeler/{name}": Room([f"modeler/{other}" for other in others], ["Eigen", "geos_c.h", "tsl"])
+    **{f"modeler/{name}": Room([f"modeler/{other}" for other in others], ["Eigen", "geos_c.h", "tsl", "unsupported"])
        for name, others in _CORE.items()},
     "modeler": Room(_METHOD, ["Eigen"]),
     "modeler/calibration": Room(_MODELER, ["Eigen"]),
