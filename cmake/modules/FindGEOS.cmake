@@ -16,4 +16,4 @@ if(TARGET GEOS::geos_c)
 endif()
 find_package_handle_standard_args(GEOS
   REQUIRED_VARS geos_target
-  REASON_FAILURE_MESSAGE "install libgeos-dev (./install_dependencies installs what there is)")
+  REASON_FAILURE_MESSAGE "install libgeos-dev (./install_dependencies installs what this release has)")

@@ -7,7 +7,7 @@ endif()
 include(FindPackageHandleStandardArgs)
 find_package_handle_standard_args(assimp
   REQUIRED_VARS ASSIMP_LINK_LIBRARIES VERSION_VAR ASSIMP_VERSION
-  REASON_FAILURE_MESSAGE "install libassimp-dev (./install_dependencies installs what there is)")
+  REASON_FAILURE_MESSAGE "install libassimp-dev (./install_dependencies installs what this release has)")
 if(assimp_FOUND AND NOT TARGET assimp::assimp)
   add_library(assimp::assimp INTERFACE IMPORTED)
   target_link_libraries(assimp::assimp INTERFACE PkgConfig::ASSIMP)
