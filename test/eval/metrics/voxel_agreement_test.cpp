@@ -9,6 +9,7 @@
 #include <optional>
 
 #include "eval/experiment/run.hpp"
+#include "eval/experiment/self_closure.hpp"
 #include "eval/experiment/sim_conversion.hpp"
 #include "modeler/maps/model_maps.hpp"
 #include "modeler/modeler.hpp"
@@ -104,24 +105,33 @@ VoxelMap voxels_of(const octomap::OcTree& tree) {
   return {kVoxel_m, Eigen::Vector3d::Zero(), std::move(grid)};
 }
 
-/// A tour through a world: the truth, the model corrected by it, and OctoMap's of the same lines.
-class MapsOfATour : public testing::TestWithParam<const char*> {
+/// Where the maps of a tour come from.
+struct MappedTour {
+  const char* world;    // file of the world
+  const char* closure;  // what corrects the trajectory, as RunOptions::closure
+};
+
+/// A tour through a world: the truth, the corrected model, and OctoMap's of the same lines at their
+/// true poses.
+class MapsOfATour : public testing::TestWithParam<MappedTour> {
  protected:
   void SetUp() override {
     RunOptions run;
-    run.world = GetParam();
+    run.world = GetParam().world;
     const sim::World world = load_world(run);
     sim::Tour tour(world, load_route(run), tour_config(run));
     Modeler modeler(modeler_config(run));
+    SelfClosure slam(modeler, modeler_config(run), false);
     std::vector<StampedPose> poses;
     while (const auto scan = tour.next_scan()) {
       const LaserBeams beams = beams_of(*scan);
       modeler.add_scan_line(beams, noisy_poses(tour, beams));
+      slam.update(tour, middle_of(beams));
       poses.push_back({middle_of(beams), tour.true_T_map_base(middle_of(beams))});
       truth_.add_beams(*scan);
       insert(*scan);
     }
-    modeler.correct(poses);
+    modeler.correct(GetParam().closure == std::string("self") ? slam.finish(tour) : poses);
     const PlaneModel model = modeler.plane_model();
     sights_ = sight_lines_of(modeler.observations().posed(), model, config_);
     maps_.emplace(make_maps(model.planes, sights_, config_));
@@ -175,7 +185,9 @@ TEST_P(MapsOfATour, TheLevelMapAgreesWithTheWorldsCut) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Worlds, MapsOfATour,
-                         testing::Values("test/ros/room.sdf", "worlds/doorways.sdf"));
+                         testing::Values(MappedTour{"test/ros/room.sdf", "truth"},
+                                         MappedTour{"worlds/doorways.sdf", "truth"},
+                                         MappedTour{"test/ros/room.sdf", "self"}));
 
 }  // namespace
 }  // namespace ribbon_mapper::eval
