@@ -37,7 +37,7 @@ constexpr const char* kFooter =
 struct Lists {
   std::vector<std::string> worlds{RunOptions().world}, noises{RunOptions().noise},
       tilts{RunOptions().tilt}, deskews;
-  std::vector<double> drifts{RunOptions().drift}, speeds_m_s;
+  std::vector<double> drifts{RunOptions().drift}, rates_hz, speeds_m_s;
   std::vector<int> beams;
   std::uint64_t seed = RunOptions().seed;
   std::string seeds;
@@ -49,6 +49,12 @@ void require_drift(const std::string& text) {
   double drift = -1.0;
   if (CLI::detail::lexical_cast(text, drift) && drift >= 0.0 && drift <= 1000.0) return;
   throw std::invalid_argument("'" + text + "' is not a number from 0 to 1000");
+}
+
+void require_rate(const std::string& text) {
+  double rate_hz = 0.0;
+  if (CLI::detail::lexical_cast(text, rate_hz) && rate_hz >= 1.0 && rate_hz <= 40.0) return;
+  throw std::invalid_argument("'" + text + "' is not a number from 1 to 40");
 }
 
 void require_speed(const std::string& text) {
@@ -106,6 +112,8 @@ void add_list_options(CLI::App& app, Lists& lists) {
   add_list(app, "--beams", lists.beams,
            "number of beams, 0.25 degrees apart: 3 to 1081 [the PR2's 381]")
       ->check(CLI::Range(3, 1081).description(""));
+  add_list(app, "--rate", lists.rates_hz, "scans per second: 1 to 40 [the PR2's 40]")
+      ->check(accepted_by(require_rate));
   add_list(app, "--speed", lists.speeds_m_s,
            "speed of the robot, 0.01 to 1 m/s; scales the turn rate alike [the route's]")
       ->check(accepted_by(require_speed));
@@ -154,6 +162,7 @@ std::vector<RunOptions> combinations(const Lists& lists, const RunOptions& commo
   combine(runs, lists.noises, [](RunOptions& run, const auto& v) { run.noise = v; });
   combine(runs, lists.tilts, [](RunOptions& run, const auto& v) { run.tilt = v; });
   combine(runs, lists.beams, [](RunOptions& run, int v) { run.beams = v; });
+  combine(runs, lists.rates_hz, [](RunOptions& run, double v) { run.rate_hz = v; });
   combine(runs, lists.speeds_m_s, [](RunOptions& run, double v) { run.speed_m_s = v; });
   combine(runs, lists.deskews, [](RunOptions& run, const auto& v) { run.deskew = v == "on"; });
   combine(runs, lists.drifts, [](RunOptions& run, double v) { run.drift = v; });

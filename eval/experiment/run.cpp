@@ -26,6 +26,7 @@ sim::TourConfig tour_config(const RunOptions& run) {
   config.localisation.drift = run.drift;
   config.localisation.faults = sim::OdometryFaults::from(run.odometry_faults);
   if (run.beams) config.hokuyo.set_beams(*run.beams);
+  if (run.rate_hz) config.hokuyo.rate_hz = *run.rate_hz;
   return config;
 }
 

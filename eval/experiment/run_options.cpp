@@ -38,7 +38,7 @@ std::string quoted(const std::string& text) {
 /// Returns everything but the seed, in the order of comes_before().
 auto conditions_of(const RunOptions& r) {
   return std::tie(r.world, r.route, r.config, r.model_paths, r.visuals, r.noise, r.tilt, r.closure,
-                  r.base_laser, r.caster, r.beams, r.speed_m_s, r.deskew, r.drift,
+                  r.base_laser, r.caster, r.beams, r.rate_hz, r.speed_m_s, r.deskew, r.drift,
                   r.odometry_faults);
 }
 
@@ -54,6 +54,7 @@ std::vector<Option> varied_options(const RunOptions& r) {
           {"closure", r.closure + (r.base_laser ? " with base laser" : "")},
           {"caster", r.caster},
           {"beams", text_of(r.beams)},
+          {"rate", text_of(r.rate_hz)},
           {"speed", text_of(r.speed_m_s)},
           {"deskew", text_of(r.deskew)},
           {"drift", text_of(r.drift)},
@@ -90,6 +91,7 @@ std::string command_of(const RunOptions& run) {
   add("--closure", run.closure, defaults.closure);
   add("--caster", run.caster, defaults.caster);
   add("--beams", text_of(run.beams), "");
+  add("--rate", text_of(run.rate_hz), "");
   add("--speed", text_of(run.speed_m_s), "");
   add("--deskew", text_of(run.deskew), "");
   if (run.base_laser) command << " --base-laser";

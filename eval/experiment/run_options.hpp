@@ -27,6 +27,7 @@ struct RunOptions {
   bool base_laser = false;          ///< `self` uses the laser on the base, too
   std::string caster = "bullet";    ///< name of a ray caster, see sim::ray_caster_kind_from()
   std::optional<int> beams;         ///< number, 0.25 degrees apart; if empty, the PR2's
+  std::optional<double> rate_hz;    ///< scans per second; if empty, the PR2's
   std::optional<double> speed_m_s;  ///< scales the turn rate alike; if empty, the route's
   std::optional<bool> deskew;       ///< if empty, as in the preset
 };

@@ -17,7 +17,7 @@ from figure_files import draw_as, matplotlib
 
 import matplotlib.pyplot as plt  # noqa: E402 (needs the backend)
 
-CONDITIONS = ("world", "route", "config", "noise", "tilt", "beams", "speed_m_s", "deskew")
+CONDITIONS = ("world", "route", "config", "noise", "tilt", "beams", "rate_hz", "speed_m_s", "deskew")
 MODELS = {  # name: label, style
     "noisy_as_built": ("noisy, as built", {"color": "tab:red", "marker": "o"}),
     "noisy": ("noisy, final (control)", {"color": "tab:orange", "marker": "s"}),

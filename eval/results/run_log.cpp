@@ -37,6 +37,7 @@ RunOptions run_of(const Json& json) {
   run.visuals = json.value("visuals", run.visuals);
   run.odometry_faults = json.value("odometry_faults", run.odometry_faults);
   run.beams = optional_of<int>(json.at("beams"));
+  run.rate_hz = optional_of<double>(json.at("rate_hz"));
   run.speed_m_s = optional_of<double>(json.at("speed_m_s"));
   run.deskew = optional_of<bool>(json.at("deskew"));
   run.drift = json.at("drift").get<double>();
@@ -46,7 +47,7 @@ RunOptions run_of(const Json& json) {
 
 /// Removes the numbers that are conditions of a run, not figures.
 void remove_conditions(Json& json) {
-  for (const char* key : {"beams", "speed_m_s", "drift", "seed"}) json.erase(key);
+  for (const char* key : {"beams", "rate_hz", "speed_m_s", "drift", "seed"}) json.erase(key);
 }
 
 void collect(const Json& json, const std::string& prefix, std::map<std::string, double>& figures) {

@@ -117,7 +117,7 @@ Json group_json(const std::vector<LoggedRun>& group) {
   const auto line = Json::parse(group.front().line);
   Json json;
   for (const char* key : {"world", "route", "config", "noise", "tilt", "closure", "caster", "beams",
-                          "speed_m_s", "deskew", "drift"}) {
+                          "rate_hz", "speed_m_s", "deskew", "drift"}) {
     json[key] = line.at(key);
   }
   for (const char* key : {"base_laser", "odometry_faults"}) {

@@ -121,6 +121,7 @@ Json to_json(const RunOptions& run) {
             {"closure", text_or_null(run.closure)},
             {"caster", text_or_null(run.caster)},
             {"beams", value_or_null(run.beams)},
+            {"rate_hz", value_or_null(run.rate_hz)},
             {"speed_m_s", value_or_null(run.speed_m_s)},
             {"deskew", value_or_null(run.deskew)},
             {"drift", run.drift},

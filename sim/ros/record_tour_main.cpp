@@ -22,10 +22,11 @@ using namespace ribbon_mapper;
 
 struct Options {
   std::string world, route, bag, truth;
-  std::string tilt = "manip", caster = "bullet", odometry_faults;
+  std::string noise = "datasheet", tilt = "manip", caster = "bullet", odometry_faults;
   std::vector<std::string> model_paths;
   bool visuals = false;
-  double keyframe_step_m = 0.0;
+  int beams = 0;
+  double keyframe_step_m = 0.0, speed_m_s = 0.0;
   sim::TourConfig tour;
   sim::RecorderOptions recorder;
 };
@@ -56,6 +57,17 @@ void add_options(CLI::App& app, Options& options) {
   app.add_option("--seconds", options.recorder.longest_s,
                  "length of the recording from the start of the tour [s]")
       ->check(CLI::Range(0.0, 1e6));
+  app.add_option("--noise", options.noise,
+                 "range noise of the laser: datasheet, gazebo, pomerleau or none")
+      ->capture_default_str();
+  app.add_option("--beams", options.beams, "number of beams, 0.25 degrees apart [the PR2's 381]")
+      ->check(CLI::Range(3, 1081));
+  app.add_option("--rate", options.tour.hokuyo.rate_hz, "scans per second")
+      ->check(CLI::Range(1.0, 40.0))
+      ->capture_default_str();
+  app.add_option("--speed", options.speed_m_s,
+                 "speed of the robot [m/s]; scales the turn rate alike [the route's]")
+      ->check(CLI::Range(0.01, 1.0));
   app.add_option("--tilt", options.tilt, "profile of the tilt: manip, nav or slow")
       ->capture_default_str();
   app.add_option("--caster", options.caster, "library that casts the rays: bullet or embree")
@@ -73,12 +85,16 @@ void add_options(CLI::App& app, Options& options) {
 
 void run(Options& options) {
   options.tour.tilt = sim::TiltProfileConfig::preset(options.tilt);
+  options.tour.hokuyo.noise = sim::range_noise_from(options.noise);
+  if (options.beams > 0) options.tour.hokuyo.set_beams(options.beams);
   options.tour.localisation.faults = sim::OdometryFaults::from(options.odometry_faults);
   sim::add_gazebo_paths(options.model_paths);
   const sim::World world =
       sim::World::load(options.world, options.model_paths,
                        sim::ray_caster_kind_from(options.caster), options.visuals);
-  sim::Tour tour(world, sim::Route::load(options.route), options.tour);
+  sim::Route route = sim::Route::load(options.route);
+  if (options.speed_m_s > 0.0) route = route.at_speed(options.speed_m_s);
+  sim::Tour tour(world, route, options.tour);
   std::fprintf(stderr, "%s; %s\n", world.content().c_str(), tour.view().c_str());
   for (const std::string& warning : world.warnings())
     std::fprintf(stderr, "warning: world %s: %s\n", options.world.c_str(), warning.c_str());

@@ -30,7 +30,7 @@ TEST(ExperimentOptions, WithoutAnyItIsTheApartment) {
   EXPECT_TRUE(std::filesystem::exists(find_installed_file(run.world))) << run.world;
   EXPECT_TRUE(std::filesystem::exists(route_path(run))) << route_path(run);
   EXPECT_EQ(run.seed, 1U);
-  EXPECT_FALSE(run.beams || run.speed_m_s || run.deskew);
+  EXPECT_FALSE(run.beams || run.rate_hz || run.speed_m_s || run.deskew);
   EXPECT_FALSE(options.is_series);
 }
 
@@ -41,7 +41,7 @@ TEST(ExperimentOptions, AllAreTaken) {
               "--model-path",   "m1",      "--model-path", "m2",     "--noise",     "gazebo",
               "--tilt",         "nav",     "--jobs",       "2",      "--no-figure", "--line",
               "--beams",        "720",     "--speed",      "0.6",    "--deskew",    "off",
-              "--mesh-formats", "stl,obj", "--floor-plan"}));
+              "--mesh-formats", "stl,obj", "--floor-plan", "--rate", "20"}));
   ASSERT_THAT(options.runs, SizeIs(1));
   const RunOptions& run = options.runs.front();
   EXPECT_EQ(route_path(run), "r.yaml");
@@ -53,9 +53,10 @@ TEST(ExperimentOptions, AllAreTaken) {
   EXPECT_EQ(options.mesh_formats, (std::vector<MeshFormat>{MeshFormat::stl, MeshFormat::obj}));
   EXPECT_TRUE(options.line_only);
   const std::string command = command_of(run);
-  EXPECT_EQ(command.substr(0, command.find(" --model-path")),
-            "rosrun ribbon_mapper experiment --world w.sdf --route r.yaml --seed 4 --drift 0.5 "
-            "--config c.yaml --noise gazebo --tilt nav --beams 720 --speed 0.6 --deskew off");
+  EXPECT_EQ(
+      command.substr(0, command.find(" --model-path")),
+      "rosrun ribbon_mapper experiment --world w.sdf --route r.yaml --seed 4 --drift 0.5 "
+      "--config c.yaml --noise gazebo --tilt nav --beams 720 --rate 20 --speed 0.6 --deskew off");
 }
 
 TEST(ExperimentOptions, ListsMakeASeriesOfAllCombinations) {
@@ -110,6 +111,7 @@ INSTANTIATE_TEST_SUITE_P(
                     std::pair(Arguments{"--tilt", "nav,wild"}, "manip"),
                     std::pair(Arguments{"--drift", "1,-1"}, "--drift"),
                     std::pair(Arguments{"--beams", "1082"}, "--beams"),
+                    std::pair(Arguments{"--rate", "41"}, "--rate"),
                     std::pair(Arguments{"--speed", "0"}, "--speed"),
                     std::pair(Arguments{"--deskew", "maybe"}, "--deskew"),
                     std::pair(Arguments{"--odometry-faults", "slip=30"}, "slip=T:DEGREES"),

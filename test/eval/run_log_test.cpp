@@ -35,6 +35,7 @@ class Log : public testing::Test {
 TEST_F(Log, ALineHoldsItsRunAndItsFigures) {
   RunOptions options = run(0.5, 7);
   options.beams = 720;
+  options.rate_hz = 20.0;
   options.deskew = false;
   options.odometry_faults = "push=30:2";
   const LoggedRun logged = parse_run_line(line_of(options));

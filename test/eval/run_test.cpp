@@ -22,6 +22,12 @@ TEST(Run, BeamsAreCountedAboutStraightAhead) {
   }
 }
 
+TEST(Run, TheRateIsThatOfTheScans) {
+  RunOptions run;
+  run.rate_hz = 20.0;
+  EXPECT_EQ(sim::Hokuyo(tour_config(run).hokuyo, 1).period(), from_seconds(0.05));
+}
+
 TEST(Run, TheSpeedScalesTheRoute) {
   RunOptions run;
   run.world = "test/ros/room.sdf";
