@@ -33,7 +33,7 @@ struct Options {
 
 std::string installed(const std::string& path) { return find_installed_file(path).string(); }
 
-void add_options(CLI::App& app, Options& options) {
+void add_file_options(CLI::App& app, Options& options) {
   app.add_option("--world", options.world, "world (SDF file)")
       ->required()
       ->transform(installed)
@@ -46,17 +46,16 @@ void add_options(CLI::App& app, Options& options) {
                  "folder for model:// URIs, searched before GAZEBO_MODEL_PATH; may be repeated");
   app.add_flag("--visuals", options.visuals, "take models without collision from their visuals");
   app.add_option("--bag", options.bag, "bag to write")->required();
+  app.add_option("--seconds", options.recorder.longest_s,
+                 "length of the recording from the start of the tour [s]")
+      ->check(CLI::Range(0.0, 1e6));
   app.add_option("--truth", options.truth, "file for the true poses of the base (TUM)");
   app.add_option("--keyframes", options.keyframe_step_m,
                  "write a true pose only every so many metres")
       ->check(CLI::Range(0.0, 1000.0));
-  app.add_option("--seed", options.tour.seed, "seed of all noise")->capture_default_str();
-  app.add_option("--drift", options.tour.localisation.drift, "scale of the localisation noise")
-      ->check(CLI::Range(0.0, 1000.0))
-      ->capture_default_str();
-  app.add_option("--seconds", options.recorder.longest_s,
-                 "length of the recording from the start of the tour [s]")
-      ->check(CLI::Range(0.0, 1e6));
+}
+
+void add_laser_options(CLI::App& app, Options& options) {
   app.add_option("--noise", options.noise,
                  "range noise of the laser: datasheet, gazebo, pomerleau or none")
       ->capture_default_str();
@@ -65,12 +64,7 @@ void add_options(CLI::App& app, Options& options) {
   app.add_option("--rate", options.tour.hokuyo.rate_hz, "scans per second")
       ->check(CLI::Range(1.0, 40.0))
       ->capture_default_str();
-  app.add_option("--speed", options.speed_m_s,
-                 "speed of the robot [m/s]; scales the turn rate alike [the route's]")
-      ->check(CLI::Range(0.01, 1.0));
   app.add_option("--tilt", options.tilt, "profile of the tilt: manip, nav or slow")
-      ->capture_default_str();
-  app.add_option("--caster", options.caster, "library that casts the rays: bullet or embree")
       ->capture_default_str();
   app.add_option("--stamp-error", options.recorder.stamp_error_s,
                  "constant error of the scans' stamps [s]")
@@ -78,9 +72,21 @@ void add_options(CLI::App& app, Options& options) {
       ->capture_default_str();
   app.add_flag("--base-laser", options.recorder.base_laser,
                "also record base_scan, the laser on the base; casts 3.7 times as many rays");
+  app.add_option("--caster", options.caster, "library that casts the rays: bullet or embree")
+      ->capture_default_str();
+}
+
+void add_robot_options(CLI::App& app, Options& options) {
+  app.add_option("--speed", options.speed_m_s,
+                 "speed of the robot [m/s]; scales the turn rate alike [the route's]")
+      ->check(CLI::Range(0.01, 1.0));
+  app.add_option("--drift", options.tour.localisation.drift, "scale of the localisation noise")
+      ->check(CLI::Range(0.0, 1000.0))
+      ->capture_default_str();
   app.add_option("--odometry-faults", options.odometry_faults,
                  "slip=T:DEGREES, shift=T:METRES, push=T:SECONDS, scale=X, yaw_scale=X, "
                  "separated by commas");
+  app.add_option("--seed", options.tour.seed, "seed of all noise")->capture_default_str();
 }
 
 void run(Options& options) {
@@ -124,7 +130,9 @@ int main(int argc, char** argv) {
     Options options;
     CLI::App app("Records a simulated tour as a bag, as the robot would.", "record_tour");
     app.set_version_flag("--version", version());
-    add_options(app, options);
+    add_file_options(app, options);
+    add_laser_options(app, options);
+    add_robot_options(app, options);
     try {
       app.parse(argc, argv);
     } catch (const CLI::ParseError& error) {

@@ -118,7 +118,16 @@ TEST_F(Lasers, TurnsThatAreLeftOutAreNoWarning) {
     scan.time_increment = 19.89e-6F / 3.0F;
     scan.scan_time = 0.025F / 3.0F;
   });
-  EXPECT_THAT(text, HasSubstr("most turns of the laser are left out"));
+  EXPECT_THAT(text, HasSubstr("the laser leaves turns out"));
+  EXPECT_THAT(text, Not(HasSubstr("WARNING")));
+}
+
+TEST_F(Lasers, ScansThatAreSkippedAreNoWarning) {
+  const std::string text = check([](int, sensor_msgs::LaserScan& scan) {
+    scan.time_increment = 19.89e-6F / 2.0F;
+    scan.scan_time = 0.025F;
+  });
+  EXPECT_THAT(text, HasSubstr("the laser leaves turns out"));
   EXPECT_THAT(text, Not(HasSubstr("WARNING")));
 }
 

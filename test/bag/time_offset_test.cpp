@@ -92,6 +92,19 @@ TEST_F(Timing, AnyOffsetUpToASecondIsFound) {
   }
 }
 
+TEST_F(Timing, DriftIsNoOffset) {
+  const sim::World world = sim::World::load(PROJECT_DIR "/test/ros/room.sdf", {});
+  for (const std::uint64_t seed : {1, 2, 4}) {
+    sim::TourConfig config;
+    config.localisation.drift = 10.0;
+    config.seed = seed;
+    sim::Tour tour(world, sim::Route::load(PROJECT_DIR "/test/ros/room.route.yaml"), config);
+    const fs::path bag = directory_->path() / "drift.bag";
+    sim::record_tour(tour, {}, bag.string());
+    EXPECT_THAT(report(bag), Not(HasSubstr("WARNING"))) << "seed " << seed;
+  }
+}
+
 TEST_F(Timing, TheWarningNamesTheOptionThatMendsIt) {
   const fs::path bag = changed([](int, sensor_msgs::LaserScan& scan) {
     scan.header.stamp += ros::Duration(0.35);

@@ -62,7 +62,7 @@ std::variant<BagCheckOptions, int> parse_bag_check_options(int argc, const char*
   CLI::App app(kDescription, "bag_check");
   app.set_version_flag("--version", version());
   app.footer(kFooter);
-  app.add_option("bag", options.bags, "bags, read as one in the order of time")->required();
+  app.add_option("bag,--bag", options.bags, "bags, read as one in the order of time")->required();
   app.add_option("--config", options.config, "preset that the bag is judged by")
       ->capture_default_str();
   app.add_option("--propose-preset", options.proposed_preset,

@@ -96,7 +96,7 @@ std::optional<TimeOffset> thinnest(const SweptLines& lines, const ModelerConfig&
                                    double about_s, double time_increment_s) {
   std::vector<double> thickness;
   for (int step = -kFineSteps; step <= kFineSteps; ++step) {
-    const auto at = lines.thickness_m({about_s + step * kStep_s, time_increment_s}, config);
+    const auto at = lines.thickness({about_s + step * kStep_s, time_increment_s}, config).rms_m();
     if (!at) return std::nullopt;
     thickness.push_back(*at);
   }
@@ -110,8 +110,11 @@ std::optional<TimeOffset> thinnest(const SweptLines& lines, const ModelerConfig&
   const double shift = 0.5 * (left - right) / (left - 2.0 * middle + right);
   const double steps = static_cast<double>(best - thickness.begin()) - kFineSteps + shift;
   const double offset_s = about_s + steps * kStep_s;
-  const auto there_m = lines.thickness_m({offset_s, time_increment_s}, config);
-  return TimeOffset{offset_s, std::min(*best, there_m.value_or(*best)), 0.0, std::nullopt};
+  const auto there_m = lines.thickness({offset_s, time_increment_s}, config).rms_m();
+  TimeOffset found;
+  found.offset_s = offset_s;
+  found.thickness_m = std::min(*best, there_m.value_or(*best));
+  return found;
 }
 
 /// Returns the best offset with the recorded time increment, or with the one that fits the period
@@ -122,17 +125,29 @@ std::optional<TimeOffset> best_of(const SweptLines& lines, const ModelerConfig& 
   const double recorded_s = beams.time_increment_s;
   std::optional<TimeOffset> best = thinnest(lines, config, about_s, recorded_s);
   const bool is_unknown = recorded_s == 0.0;
+  const bool is_possible = is_unknown || leaves_turns_out(beams, lines.period_s());
   if (!is_unknown && fits_period(recorded_s, beams, lines.period_s())) return best;
   const double fitting_s = time_increment_of(lines.period_s(), beams.angle_increment_rad);
   const double half_line_s =
       0.5 * (fitting_s - recorded_s) * static_cast<double>(beams.ranges_m.size() - 1);
   auto other = thinnest(lines, config, about_s - half_line_s, fitting_s);
   if (!other) return best;
-  // What does not fit the period has to prove itself, and so has a guess for what is not known.
+  // What cannot be has to prove itself; otherwise the guess has.
   const double ratio = best ? other->thickness_m / best->thickness_m : 0.0;
-  if (ratio > (is_unknown ? kClearlyThinner : 1.0 / kClearlyThinner)) return best;
+  if (ratio > (is_possible ? kClearlyThinner : 1.0 / kClearlyThinner)) return best;
   other->time_increment_s = fitting_s;
   return other;
+}
+
+/// Compares the planes with the offset with those without it.
+void compare_with_now(const SweptLines& lines, const ModelerConfig& config, TimeOffset& found) {
+  const double recorded_s = lines.first_beams().time_increment_s;
+  const PlaneThickness now = lines.thickness({0.0, recorded_s}, config);
+  const PlaneThickness there =
+      lines.thickness({found.offset_s, found.time_increment_s.value_or(recorded_s)}, config);
+  found.thickness_now_m = now.rms_m().value_or(0.0);
+  found.is_clear =
+      found.thickness_m < kClearlyThinner * found.thickness_now_m && there.is_thinner_than(now);
 }
 
 /// The answer of a recording.
@@ -151,7 +166,7 @@ Answer ask(const std::vector<std::filesystem::path>& bags, const BagOptions& opt
   if (!about_s) return answer;
   answer.offset = best_of(lines, config, *about_s);
   if (answer.offset) {
-    answer.offset->thickness_now_m = lines.thickness_m({0.0, recorded_s}, config).value_or(0.0);
+    compare_with_now(lines, config, *answer.offset);
   }
   return answer;
 }
@@ -160,14 +175,13 @@ void report_offset(const TimeOffset& found, double given_s, BagReport& report) {
   const std::string planes = " would make planes " + number(1e3 * found.thickness_m, 1) +
                              " mm thick instead of " + number(1e3 * found.thickness_now_m, 1) +
                              " mm";
-  if (found.time_increment_s && found.thickness_m < kClearlyThinner * found.thickness_now_m) {
+  if (found.time_increment_s && found.is_clear) {
     report.warning("time_increment is wrong, by up and down sweeps: " +
                    number(1e6 * *found.time_increment_s, 2) + " us" + planes +
                    ": correct the driver");
   }
   const bool is_small = std::abs(found.offset_s) < kMinOffset_s;
-  const bool has_no_effect = std::abs(found.offset_s) < kApart_s &&
-                             found.thickness_m > kClearlyThinner * found.thickness_now_m;
+  const bool has_no_effect = std::abs(found.offset_s) < kApart_s && !found.is_clear;
   if (is_small || has_no_effect) {
     report.fact(
         "up and down sweeps agree: no time offset of the laser makes planes clearly thinner");

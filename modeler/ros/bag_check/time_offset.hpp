@@ -19,6 +19,7 @@ struct TimeOffset {
   double offset_s = 0.0;         ///< to be added to the stamps of the scans
   double thickness_m = 0.0;      ///< of the planes with the offset
   double thickness_now_m = 0.0;  ///< of the planes without it
+  bool is_clear = false;         ///< the planes get thinner by more than chance, by 3 % at least
   /// The time increment that the offset was found with, if that is not the recorded one.
   std::optional<double> time_increment_s;
 };

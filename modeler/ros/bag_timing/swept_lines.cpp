@@ -13,10 +13,13 @@
 namespace ribbon_mapper {
 namespace {
 
-constexpr double kMaxDuration_s = 30.0;
+constexpr Time kMinDuration = std::chrono::seconds(30);
+constexpr double kMaxDuration_s = 60.0;
 constexpr double kMargin_s = 0.1;  // of tf about the lines, for wrong time increments
 constexpr double kVoxelsPerRange = 25.0;
 constexpr std::size_t kLinesOfSearch = 300, kBeamsOfSearch = 120;
+constexpr double kMinLinesEachWay = 50.0;  // up and down, of the planes that are made together
+constexpr int kWindows = 6;                // that chance is told by, in a longer recording
 
 /// Returns the middle one of any values; 0 if there are none.
 template <typename Value>
@@ -52,6 +55,12 @@ LaserBeams timed(LaserBeams beams, const LineTiming& timing) {
   return beams;
 }
 
+/// Returns the poses with the odometry as map.
+LinePoses by_odometry(LinePoses poses) {
+  poses.T_map_base = interpolate(poses.T_odom_base_first, poses.T_odom_base_last, 0.5);
+  return poses;
+}
+
 /// Returns every n-th beam of a line, about kBeamsOfSearch.
 LaserBeams thinned(const LaserBeams& beams) {
   const std::size_t stride = std::max<std::size_t>(1, beams.ranges_m.size() / kBeamsOfSearch);
@@ -85,13 +94,18 @@ SweptLines::SweptLines(const std::vector<std::filesystem::path>& bags, const Bag
   }
   if (lines_.empty()) return;
   const Time margin = from_seconds(kMaxOffset_s + kMargin_s);
-  track_.emplace(source.buffer(), source.frames(), frame,
-                 std::max(Time(0), lines_.front().stamp - margin), end_of(lines_.back()) + margin);
+  Frames frames = source.frames();
+  frames.map = frames.odom;
+  track_.emplace(source.buffer(), frames, frame, std::max(Time(0), lines_.front().stamp - margin),
+                 end_of(lines_.back()) + margin);
   period_s_ = median_period_s(lines_);
   voxel_m_ = std::max(0.01, median_range_m(lines_, config) / kVoxelsPerRange);
   max_offset_s_ =
       std::min(kMaxOffset_s, 0.25 * to_seconds(lines_.back().stamp - lines_.front().stamp));
   drop_lines_at_the_ends();
+  window_ = few_periods();
+  const Time last = lines_.front().stamp + std::max(kMinDuration, kWindows * window_);
+  while (lines_.back().stamp > last) lines_.pop_back();
 }
 
 /// Keeps the lines that all offsets can be compared by.
@@ -107,11 +121,43 @@ void SweptLines::drop_lines_at_the_ends() {
                lines_.end());
 }
 
+/// Returns the duration of as many periods of the tilt as have enough lines each way; of the whole
+/// recording if the laser stands still or turns in one direction only.
+Time SweptLines::few_periods() const {
+  std::vector<Eigen::Quaterniond> orientations;
+  for (const LaserBeams& line : lines_) {
+    orientations.emplace_back(track_->poses_of(line)->T_base_laser_first.linear());
+  }
+  const auto furthest_from = [&](const Eigen::Quaterniond& from) {
+    return *std::max_element(orientations.begin(), orientations.end(),
+                             [&](const auto& a, const auto& b) {
+                               return from.angularDistance(a) < from.angularDistance(b);
+                             });
+  };
+  const Eigen::Quaterniond end = furthest_from(orientations.front());
+  double way_rad = 0.0, lines_there = 0.0, lines_back = 0.0;
+  for (std::size_t i = 1; i < orientations.size(); ++i) {
+    way_rad += orientations[i - 1].angularDistance(orientations[i]);
+    const bool is_back =
+        end.angularDistance(orientations[i]) > end.angularDistance(orientations[i - 1]);
+    (is_back ? lines_back : lines_there) += 1.0;
+  }
+  const double periods = 0.5 * way_rad / end.angularDistance(furthest_from(end));
+  const double lines_each_way = std::min(lines_there, lines_back) / periods;
+  const Time duration = lines_.back().stamp - lines_.front().stamp;
+  if (!(lines_each_way > 0.0)) return duration + Time(1);
+  return from_seconds(std::ceil(kMinLinesEachWay / lines_each_way) * to_seconds(duration) /
+                      periods);
+}
+
 std::size_t SweptLines::occupied_voxels(const LineTiming& timing) const {
   std::vector<VoxelKey> keys;
   ScanLine line;
-  const std::size_t stride = std::max<std::size_t>(1, lines_.size() / kLinesOfSearch);
-  for (std::size_t i = 0; i < lines_.size(); i += stride) {
+  const Time end = lines_.front().stamp + kMinDuration;
+  const auto count = static_cast<std::size_t>(std::count_if(
+      lines_.begin(), lines_.end(), [&](const LaserBeams& beams) { return beams.stamp <= end; }));
+  const std::size_t stride = std::max<std::size_t>(1, count / kLinesOfSearch);
+  for (std::size_t i = 0; i < count; i += stride) {
     const LaserBeams beams = timed(lines_[i], timing);
     const std::optional<LinePoses> poses = track_->poses_of(beams);
     if (!poses) continue;
@@ -124,22 +170,52 @@ std::size_t SweptLines::occupied_voxels(const LineTiming& timing) const {
   return static_cast<std::size_t>(std::unique(keys.begin(), keys.end()) - keys.begin());
 }
 
-std::optional<double> SweptLines::thickness_m(const LineTiming& timing,
-                                              const ModelerConfig& config) const {
-  Modeler modeler(config);
-  for (const LaserBeams& line : lines_) {
-    const LaserBeams beams = timed(line, timing);
-    if (const auto poses = track_->poses_of(beams)) modeler.add_scan_line(beams, *poses);
+PlaneThickness SweptLines::thickness(const LineTiming& timing, const ModelerConfig& config) const {
+  PlaneThickness result;
+  for (auto line = lines_.begin(); line != lines_.end();) {
+    Modeler modeler(config);
+    const Time end = line->stamp + window_;
+    for (; line != lines_.end() && line->stamp < end; ++line) {
+      const LaserBeams beams = timed(*line, timing);
+      if (const auto poses = track_->poses_of(beams)) {
+        modeler.add_scan_line(beams, by_odometry(*poses));
+      }
+    }
+    result.add(modeler.planes());
   }
-  double points = 0.0, squares = 0.0;
-  for (const Plane& plane : modeler.planes()) {
+  return result;
+}
+
+void PlaneThickness::add(const std::vector<Plane>& planes) {
+  Part& part = parts_.emplace_back();
+  for (const Plane& plane : planes) {
     for (const PlaneCell& cell : plane.cells) {
-      points += cell.count;
-      squares += cell.count * (cell.mean_m * cell.mean_m + cell.variance_m2);
+      part.points += cell.count;
+      part.squares_m2 += cell.count * (cell.mean_m * cell.mean_m + cell.variance_m2);
     }
   }
-  if (points == 0.0) return std::nullopt;
-  return std::sqrt(squares / points);
+}
+
+std::optional<double> PlaneThickness::rms_m() const {
+  Part all;
+  for (const Part& part : parts_) {
+    all.points += part.points, all.squares_m2 += part.squares_m2;
+  }
+  if (all.points == 0.0) return std::nullopt;
+  return std::sqrt(all.squares_m2 / all.points);
+}
+
+bool PlaneThickness::is_thinner_than(const PlaneThickness& other) const {
+  double count = 0.0, sum = 0.0, square_sum = 0.0;
+  for (std::size_t i = 0; i < std::min(parts_.size(), other.parts_.size()); ++i) {
+    const Part &own = parts_[i], &theirs = other.parts_[i];
+    if (own.points == 0.0 || theirs.points == 0.0) continue;
+    const double gain_m2 = theirs.squares_m2 / theirs.points - own.squares_m2 / own.points;
+    count += 1.0, sum += gain_m2, square_sum += gain_m2 * gain_m2;
+  }
+  if (count < 2.0) return sum > 0.0;
+  const double variance = (square_sum - sum * sum / count) / (count - 1.0);
+  return sum > 2.0 * std::sqrt(count * std::max(0.0, variance));
 }
 
 }  // namespace ribbon_mapper

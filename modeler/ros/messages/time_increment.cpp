@@ -38,14 +38,23 @@ bool fits_period(double time_increment_s, const LaserBeams& beams, double period
          time_increment_s * steps <= (1.0 + tolerance) * period_s;
 }
 
+bool leaves_turns_out(const LaserBeams& beams, double period_s) {
+  constexpr double shortest_turn_s = 0.01, tolerance = 0.05;
+  const double turn_s = beams.time_increment_s * 2.0 * M_PI / std::abs(beams.angle_increment_rad);
+  if (!(turn_s >= shortest_turn_s)) return false;
+  const double turns = period_s / turn_s;
+  return std::round(turns) >= 2.0 && std::abs(turns - std::round(turns)) <= tolerance;
+}
+
 std::optional<TimingDoubt> timing_doubt(const LaserBeams& beams, double scan_time_s,
                                         double period_s) {
   const double increment_s = beams.time_increment_s;
   if (fits_period(increment_s, beams, period_s)) return std::nullopt;
   const std::string values = facts(beams, scan_time_s, period_s);
-  const bool skips_turns = scan_time_s > 0.0 && scan_time_s < 0.75 * period_s &&
-                           fits_period(increment_s, beams, scan_time_s);
-  if (skips_turns) return TimingDoubt{values + ": most turns of the laser are left out", false};
+  const bool is_one_of_many = scan_time_s > 0.0 && scan_time_s < 0.75 * period_s &&
+                              fits_period(increment_s, beams, scan_time_s);
+  if (is_one_of_many || leaves_turns_out(beams, period_s))
+    return TimingDoubt{values + ": the laser leaves turns out", false};
   const bool is_longer = steps_of(beams) * increment_s > period_s;
   char advice[100];
   std::snprintf(advice, sizeof advice,

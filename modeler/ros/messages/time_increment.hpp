@@ -17,6 +17,10 @@ double time_increment_of(double period_s, double angle_increment_rad);
 /// of 0 means that it is not known, which is possible.
 bool fits_period(double time_increment_s, const LaserBeams& beams, double period_s);
 
+/// Returns true if the period is that of several whole turns, of which the laser takes one: a
+/// Hokuyo that skips scans. No laser turns in less than 10 ms.
+bool leaves_turns_out(const LaserBeams& beams, double period_s);
+
 /// A contradiction between the time fields of lines and the period in which they come.
 struct TimingDoubt {
   std::string text;       ///< the values, and what would fit; without a full stop
