@@ -167,7 +167,10 @@ TEST_F(Lasers, TheProposedPresetIsReadAndLeavesNoWarning) {
   preset.surface.cell_size_m = 0.01, preset.scan.range_sigma_m = 0.003;
   EXPECT_THAT(check([](int, sensor_msgs::LaserScan&) {}, preset), HasSubstr("2 warnings"));
   const fs::path file = directory_.path() / "proposed.yaml";
-  std::ofstream(file) << proposed_preset({file_}, {}, preset);
+  const std::string text = proposed_preset({file_}, {}, preset);
+  EXPECT_THAT(text, HasSubstr("\n#   scan.range_sigma_m: "));
+  EXPECT_THAT(text, HasSubstr(" (default 0.018)\n"));
+  std::ofstream(file) << text;
   const ModelerConfig proposed = load_config(file.string());
   EXPECT_GE(proposed.scan.range_sigma_m, 0.004);
   EXPECT_THAT(check_bags({file_}, {}, proposed).text(), HasSubstr("this can be mapped\n"));

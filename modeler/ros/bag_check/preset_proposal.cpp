@@ -7,6 +7,7 @@
 
 #include "modeler/io/config_file.hpp"
 #include "modeler/modeler.hpp"
+#include "modeler/report/changed_keys.hpp"
 #include "modeler/ros/bag_check/line_spacing.hpp"
 #include "modeler/ros/bag_check/number_text.hpp"
 #include "modeler/ros/bag_check/scan_survey.hpp"
@@ -51,6 +52,17 @@ void widen_gates(const Lines& lines, ModelerConfig& config) {
   }
 }
 
+/// Returns a comment with the keys that are not at their defaults.
+std::string changes_of(const ModelerConfig& config) {
+  const std::vector<ChangedKey> changes = changed_keys(config);
+  if (changes.empty()) return "# All keys are at their defaults.\n";
+  std::string text = "# Keys that are not at their defaults, the others may be left out:\n";
+  for (const ChangedKey& key : changes) {
+    text += "#   " + key.name + ": " + key.value + " (default " + key.default_value + ")\n";
+  }
+  return text;
+}
+
 std::string described(const LineSpacing& spacing) {
   return "# Proposed by bag_check: lines " + degrees(spacing.line_step_rad, 2) +
          " degrees apart, beams " + degrees(spacing.beam_step_rad, 2) + " degrees; " +
@@ -81,7 +93,7 @@ std::string proposed_preset(const std::vector<std::filesystem::path>& bags,
   const LineSpacing spacing = tilt.spacing(scans);
   ModelerConfig config = adapted(preset, spacing);
   if (spacing.base_stands) widen_gates(lines, config);
-  return described(spacing) + config_to_yaml(config);
+  return described(spacing) + changes_of(config) + config_to_yaml(config);
 }
 
 }  // namespace ribbon_mapper
