@@ -94,15 +94,14 @@ SweptLines::SweptLines(const std::vector<std::filesystem::path>& bags, const Bag
   }
   if (lines_.empty()) return;
   const Time margin = from_seconds(kMaxOffset_s + kMargin_s);
-  Frames frames = source.frames();
-  frames.map = frames.odom;
-  track_.emplace(source.buffer(), frames, frame, std::max(Time(0), lines_.front().stamp - margin),
-                 end_of(lines_.back()) + margin);
+  track_.emplace(source.buffer(), source.frames(), frame,
+                 std::max(Time(0), lines_.front().stamp - margin), end_of(lines_.back()) + margin);
   period_s_ = median_period_s(lines_);
   voxel_m_ = std::max(0.01, median_range_m(lines_, config) / kVoxelsPerRange);
   max_offset_s_ =
       std::min(kMaxOffset_s, 0.25 * to_seconds(lines_.back().stamp - lines_.front().stamp));
   drop_lines_at_the_ends();
+  if (lines_.empty()) return;
   window_ = few_periods();
   const Time last = lines_.front().stamp + std::max(kMinDuration, kWindows * window_);
   while (lines_.back().stamp > last) lines_.pop_back();
