@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "modeler/polygon/polygon_operations.hpp"
+#include "modeler/polygon/prepared_area.hpp"
 
 namespace ribbon_mapper {
 namespace {
@@ -14,10 +15,10 @@ namespace {
 /// Returns how far a wall that ends at a point, going in a direction, is from what it ends before:
 /// nothing if it ends there, or if there is nothing near.
 std::optional<double> gap_before_m(const Eigen::Vector2d& end, const Eigen::Vector2d& direction,
-                                   const Polygons& barriers, double reach_m) {
+                                   const PreparedArea& barriers, double reach_m) {
   constexpr double kStep_m = 0.025;
   for (double ahead_m = kStep_m; ahead_m <= reach_m; ahead_m += kStep_m) {
-    if (distance(barriers, end + ahead_m * direction) > 0.0) continue;
+    if (!barriers.holds(end + ahead_m * direction)) continue;
     if (ahead_m == kStep_m) return std::nullopt;
     return ahead_m;
   }
@@ -59,13 +60,14 @@ Polygons barriers_of(const std::vector<PlanWall>& walls, const std::vector<PlanO
 Polygons hidden_walls(const std::vector<PlanWall>& walls, const Polygons& barriers,
                       const Polygons& floor, const FloorPlanConfig& config) {
   Polygons hidden;
+  const PreparedArea before(barriers);
   for (const PlanWall& wall : walls) {
     const Eigen::Vector2d along = (wall.face[1] - wall.face[0]).normalized();
     const double depth_m = wall.thickness_m.value_or(config.unseen_depth_m);
     for (const auto& [end, direction] :
          {std::pair(wall.face[0], Eigen::Vector2d(-along)), std::pair(wall.face[1], along)}) {
       const Eigen::Vector2d inside = end - 0.5 * depth_m * wall.normal;
-      const auto gap_m = gap_before_m(inside, direction, barriers, config.hidden_m);
+      const auto gap_m = gap_before_m(inside, direction, before, config.hidden_m);
       if (!gap_m) continue;
       const Polygon gap = strip(end, end + *gap_m * direction, wall.normal, -depth_m, 0.0);
       if (is_hidden(gap, *gap_m, floor, config)) hidden.push_back(gap);
