@@ -107,7 +107,10 @@ void Annotations::set(std::int64_t id, const std::string& label, const std::stri
   check_text(label, "label", kLongestLabel);
   check_text(note, "note", kLongestNote);
   if (label.empty()) {
-    by_id_.erase(id);
+    if (by_id_.erase(id) == 0) {
+      throw std::invalid_argument("Plane " + std::to_string(id) +
+                                  " has no annotation to remove: give a label.");
+    }
   } else {
     by_id_[id] = {label, note, some_of(plane->ribbons)};
   }

@@ -34,8 +34,9 @@ class Annotations {
   static constexpr std::size_t kMostRibbons = 64;
 
   /// Annotates the plane with this id; an empty label removes its annotation. Throws
-  /// std::invalid_argument, and changes nothing, if no plane has the id, the message lists those
-  /// that there are, or a text is too long or has control characters.
+  /// std::invalid_argument, and changes nothing, if no plane has the id (the message lists those
+  /// that there are), it has no annotation to remove, or a text is too long or has control
+  /// characters.
   void set(std::int64_t id, const std::string& label, const std::string& note,
            const std::vector<Plane>& planes);
 

@@ -5,6 +5,7 @@
 
 #include <CLI/CLI.hpp>
 #include <cstdio>
+#include <filesystem>
 
 #include "modeler/io/tum.hpp"
 #include "modeler/program/installed_files.hpp"
@@ -33,15 +34,19 @@ struct Options {
 
 std::string installed(const std::string& path) { return find_installed_file(path).string(); }
 
+/// Returns the path of the route.
+std::string route_path(const Options& options) {
+  if (!options.route.empty()) return options.route;
+  return std::filesystem::path(options.world).replace_extension(".route.yaml").string();
+}
+
 void add_file_options(CLI::App& app, Options& options) {
   app.add_option("--world", options.world, "world (SDF file)")
       ->required()
       ->transform(installed)
       ->check(CLI::ExistingFile);
-  app.add_option("--route", options.route, "route (YAML file)")
-      ->required()
-      ->transform(installed)
-      ->check(CLI::ExistingFile);
+  app.add_option("--route", options.route, "route file [<world>.route.yaml, beside the world]")
+      ->transform(installed);
   app.add_option("--model-path", options.model_paths,
                  "folder for model:// URIs, searched before GAZEBO_MODEL_PATH; may be repeated");
   app.add_flag("--visuals", options.visuals, "take models without collision from their visuals");
@@ -98,7 +103,7 @@ void run(Options& options) {
   const sim::World world =
       sim::World::load(options.world, options.model_paths,
                        sim::ray_caster_kind_from(options.caster), options.visuals);
-  sim::Route route = sim::Route::load(options.route);
+  sim::Route route = sim::Route::load(route_path(options));
   if (options.speed_m_s > 0.0) route = route.at_speed(options.speed_m_s);
   sim::Tour tour(world, route, options.tour);
   std::fprintf(stderr, "%s; %s\n", world.content().c_str(), tour.view().c_str());

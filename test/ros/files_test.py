@@ -88,6 +88,12 @@ class Files(unittest.TestCase):
         self.assertEqual(given['/modeler/tf_drop_frames'].value, '', "slam's own map -> odom counts")
         self.assertEqual(given['/slam/tf_drop_frames'].value, '')
 
+    def test_a_replay_with_slam_leaves_out_the_recorded_localisation(self):
+        file = os.path.join(PACKAGE, 'launch/pr2_replay.launch')
+        dropped = {slam: loaded(file, [f'slam:={slam}', 'map_frame:=world']).params
+                   ['/tf_filter/drop_frames'].value for slam in ('true', 'false')}
+        self.assertEqual(dropped, {'true': 'world', 'false': ''})
+
     def test_bags_may_be_relative_to_the_folder_of_the_command(self):
         file = os.path.join(PACKAGE, 'launch/pr2_replay.launch')
         player = next(node for node in loaded(file, ['bag:=a.bag /b/c.bag d.bag']).nodes

@@ -135,7 +135,7 @@ IntakeOptions BagLines::with_frames_chosen() {
   if (chosen->map == chosen->base) {
     text += ": without odometry, the robot is taken to stand still";
   } else if (chosen->map == chosen->odom) {
-    text += ": without a localisation, drift is left as it is";
+    text += ": there is no localisation, so drift stays unless a trajectory corrects it";
   }
   choices_.push_back(text);
   frames = *chosen;

@@ -48,9 +48,13 @@ void report_frames(const BagLines& lines, BagReport& report) {
   for (const std::string& frame : {lines.frames().odom, lines.frames().base}) {
     const auto link = links.find(frame);
     if (link == links.end()) continue;
+    const bool is_localisation = frame == lines.frames().odom;
     report.fact("the bag holds " + name_of(*link) + " (" +
-                counted(link->second.moving + link->second.fixed, "transform") +
-                "): if a localisation runs during the replay, leave it out with tf_drop_frames");
+                counted(link->second.moving + link->second.fixed, "transform") + ")" +
+                (is_localisation ? ": if another localisation runs during the replay, leave it out "
+                                   "with tf_drop_frames:=" +
+                                       lines.frames().map
+                                 : ""));
   }
 }
 

@@ -162,7 +162,11 @@ bool ModelerNode::on_reset(std_srvs::Trigger::Request&, std_srvs::Trigger::Respo
 bool ModelerNode::on_save(Save::Request& request, Save::Response& response) {
   response = save_response(request.name, keeper_, parameters_.output_dir, map_frame(),
                            changed_keys(keeper_.modeler().config()), parameters_.mesh_formats);
-  if (!response.success) ROS_ERROR("Not saved: %s", response.message.c_str());
+  if (response.success) {
+    ROS_INFO("Saved: %s", response.message.c_str());
+  } else {
+    ROS_ERROR("Not saved: %s", response.message.c_str());
+  }
   return true;
 }
 

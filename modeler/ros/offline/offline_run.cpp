@@ -25,6 +25,7 @@
 #include "modeler/ros/node/turn_check.hpp"
 #include "modeler/ros/offline/base_scans.hpp"
 #include "modeler/ros/offline/offline_page.hpp"
+#include "modeler/ros/offline/trajectory_notes.hpp"
 #include "modeler/storage/file_set.hpp"
 #include "modeler/surface/outline.hpp"
 #include "slam/tilting/trajectory_estimate.hpp"
@@ -108,15 +109,6 @@ void require_ribbons(const ModelKeeper& keeper, const OfflineSummary& summary) {
   throw std::runtime_error(why + "\n`bag_check` lists topics, frames and clocks of the bag");
 }
 
-/// Returns whether the base stands still: the localisation then cannot drift from line to line.
-bool stands_still(const std::vector<StampedPose>& trajectory) {
-  const Pose T_first_map = trajectory.front().T_map_base.inverse(Eigen::Isometry);
-  return std::all_of(trajectory.begin(), trajectory.end(), [&](const StampedPose& pose) {
-    const Pose moved = T_first_map * pose.T_map_base;
-    return moved.translation().norm() < 0.001 && angle_of(moved) < 0.001;
-  });
-}
-
 /// Ends an estimate. Returns it in map, from the first recorded pose on, and keeps its covariances.
 std::vector<StampedPose> finished(Modelling& modelling, OfflineRun& run) {
   slam::TrajectoryEstimate& estimate = *modelling.estimate;
@@ -141,15 +133,17 @@ std::vector<StampedPose> finished(Modelling& modelling, OfflineRun& run) {
 }
 
 /// Returns the final poses, or nothing if the recorded ones are only those of a SLAM on the way.
-/// Writes to the run where they are from.
-std::vector<StampedPose> final_poses(const OfflineOptions& options, Modelling& modelling,
+/// `given` are those of options.trajectory. Writes to the run where they are from.
+std::vector<StampedPose> final_poses(const OfflineOptions& options,
+                                     const std::vector<StampedPose>& given, Modelling& modelling,
                                      OfflineRun& run) {
   const Modeler& modeler = modelling.keeper.modeler();
   std::string& origin = run.summary.trajectory;
   if (modelling.estimate) return finished(modelling, run);
   if (!options.trajectory.empty()) {
     origin = options.trajectory.filename().string();
-    return read_tum(options.trajectory);
+    if (auto text = lacking_time(modeler.trajectory(), given)) run.summary.notes.push_back(*text);
+    return given;
   }
   if (!options.poses_are_final && modeler.statistics().revision > 0) {
     origin = "as corrected in the model that was loaded";
@@ -195,11 +189,16 @@ void describe(const ModelKeeper& keeper, const ModelerConfig& config, OfflineRun
 struct Beginning {
   std::optional<ModelFile> file;
   ModelerConfig config;
+  std::vector<StampedPose> trajectory;  // of the file that is named
 };
 
-/// Reads the model file and the preset, if there are, and writes to the summary what they are.
+/// Reads the model file, the preset and the trajectory, if there are, and writes to the summary
+/// what they are: before the lines are modelled, which may take minutes.
 Beginning begin(const OfflineOptions& options, OfflineSummary& summary) {
   Beginning result;
+  if (!options.trajectory.empty() && !options.estimates_trajectory()) {
+    result.trajectory = read_tum(options.trajectory);
+  }
   if (!options.load.empty()) result.file = load_model_file(options.load);
   if (result.file && options.config.empty()) {
     result.config = result.file->config;
@@ -230,8 +229,11 @@ OfflineRun model_bags(const OfflineOptions& options, const ProgressCallback& pro
 
   run.planes_before = with_outlines(keeper.modeler().planes_as_built(), config.surface);
   run.trajectory_before = keeper.modeler().trajectory();
-  const auto poses = final_poses(options, modelling, run);
-  if (!poses.empty()) keeper.correct(poses);
+  const auto poses = final_poses(options, beginning.trajectory, modelling, run);
+  if (!poses.empty()) {
+    keeper.correct(poses);
+    run.summary.moved_m = largest_move_m(run.trajectory_before, keeper.modeler().trajectory());
+  }
   if (const auto text = modelling.turns.contradiction(poses)) run.summary.notes.push_back(*text);
   run.planes_after = keeper.planes();
   run.labels = keeper.labels();

@@ -60,6 +60,7 @@ std::string summary_to_json(const OfflineSummary& s, const std::string& run_id) 
       {"parameters", to_json(s.parameters)},
       {"scan_topic", s.scan_topic},
       {"trajectory", s.trajectory},
+      {"moved_m", s.moved_m ? Json(*s.moved_m) : Json(nullptr)},
       {"estimate", to_json(s.estimate)},
       {"notes", s.notes},
       {"lines", s.lines},
@@ -100,7 +101,9 @@ std::string summary_text(const OfflineSummary& s) {
   text << s.planes << " planes (" << s.planes_before << " as built on the way), " << s.duplicates
        << (s.duplicates == 1 ? " duplicate" : " duplicates");
   if (s.residual_m_median) text << ", median residual " << 1e3 * *s.residual_m_median << " mm";
-  text << "\nposes: " << s.trajectory << "\n";
+  text << "\nposes: " << s.trajectory;
+  if (s.moved_m) text << "; moved by up to " << std::setprecision(2) << *s.moved_m << " m";
+  text << std::setprecision(1) << "\n";
   text << s.recording_s << " s of recording in " << std::setprecision(2) << s.wall_s << " s ("
        << std::setprecision(0) << real_time_factor(s) << " x real time, " << std::setprecision(2)
        << s.cpu_s << " s CPU), peak memory " << std::setprecision(0) << s.peak_memory_mib

@@ -29,6 +29,7 @@ struct OfflineSummary {
   std::string config;                  ///< preset
   std::vector<ChangedKey> parameters;  ///< what it changes, see changed_keys()
   std::string scan_topic;              ///< of the laser
+  std::optional<double> moved_m;       ///< largest way that a pose was moved by the correction
   std::string trajectory;              ///< where the poses of the final model are from
 
   std::optional<EstimateFigures> estimate;  ///< with the trajectory `self`

@@ -92,6 +92,7 @@ TEST(Annotations, AreRemovedByAnEmptyLabel) {
   annotations.set(1, "a", "", planes);
   annotations.set(1, "", "", planes);
   EXPECT_TRUE(annotations.by_id().empty());
+  EXPECT_THROW(annotations.set(1, "", "", planes), std::invalid_argument) << "there is none";
 }
 
 TEST(Annotations, FollowAPlaneThatIsMergedIntoAnother) {
