@@ -222,7 +222,8 @@ TEST_F(BagTf, OtherNamesAreTakenIfThereIsOneChoice) {
 
 TEST_F(BagTf, AMissingFrameIsReplacedByTheOneBelow) {
   bag_.with_map = false;
-  expect_as_good(bag_, "--map-frame odom_combined is taken, the only choice: without a local");
+  expect_as_good(bag_,
+                 "--map-frame odom_combined is taken, the only choice: there is no localisation");
   bag_.spoil_tf = [](tf2_msgs::TFMessage& message) {  // torso_lift_link -> laser_tilt_link
     message.transforms.erase(message.transforms.begin());
   };
