@@ -45,6 +45,12 @@ class PosedLines {
   /// Returns true if the odometry's step to a line was declared wrong.
   bool is_slip(std::uint32_t line) const { return slips_.count(line) > 0; }
 
+  /// Returns the covariance of a step by what the source alone has measured, see
+  /// OdometrySource::step_covariance(). There is a source.
+  Eigen::Matrix3d source_covariance(std::size_t line) const {
+    return source_covariances_[line].cast<double>();
+  }
+
   /// Returns the number of lines.
   std::uint32_t size() const { return static_cast<std::uint32_t>(stamps_.size()); }
   /// Returns the stamp of a line.

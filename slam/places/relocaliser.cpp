@@ -2,7 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "slam/places/relocaliser.hpp"
 
+#include <Eigen/Cholesky>
 #include <algorithm>
+#include <cmath>
 #include <sstream>
 
 #include "slam/lines/line_adjustment.hpp"
@@ -11,6 +13,20 @@ namespace ribbon_mapper::slam {
 namespace {
 
 constexpr double kShortSeam_s = 3.0;  // longer than a slip or a push
+
+/// Returns false if a source beside the wheels has measured the steps of a seam, and excludes that
+/// the robot was moved there: a level laser sees that it did not slip.
+bool may_slip(const Seam& seam, const Pose& T_start_start, const PosedLines& lines,
+              double max_sigmas) {
+  if (!lines.has_source()) return true;
+  const Pose T_start_base = lines.T_start_base(seam.end);
+  const Pose moved = T_start_base.inverse(Eigen::Isometry) * T_start_start * T_start_base;
+  const Eigen::Vector3d error(moved.translation().x(), moved.translation().y(),
+                              std::atan2(moved.linear()(1, 0), moved.linear()(0, 0)));
+  Eigen::Matrix3d covariance = Eigen::Matrix3d::Zero();
+  for (std::uint32_t i = seam.first; i <= seam.end; ++i) covariance += lines.source_covariance(i);
+  return error.dot(covariance.ldlt().solve(error)) <= max_sigmas * max_sigmas;
+}
 
 std::string text_of(const HistoryCost& before, const HistoryCost& after) {
   std::ostringstream text;
@@ -54,18 +70,21 @@ std::vector<Relocaliser::Candidate> Relocaliser::candidates(const Finding& findi
   if (!finding.move) return candidates;
   const Pose& T = finding.move->T_start_start;
   const Seam& seam = finding.move->seam;
-  if (const auto& tear = finding.move->tear) {
-    candidates.push_back({T, {*tear, *tear}, true, Decision::Kind::found});
-  }
+  const double max_sigmas = settings_.estimate.relocaliser.drift_sigmas;
+  const auto add_slip = [&](const Seam& where) {
+    if (!may_slip(where, T, lines, max_sigmas)) return;
+    candidates.push_back({T, where, true, Decision::Kind::found});
+  };
+  if (const auto& tear = finding.move->tear) add_slip({*tear, *tear});
   if (lines.seconds_between(seam.first, seam.end) < kShortSeam_s) {
-    candidates.push_back({T, seam, true, Decision::Kind::found});
+    add_slip(seam);
     return candidates;
   }
   // What was seen in the meantime belongs to what was seen before, to what is seen now, or to both.
-  candidates.push_back({T, {seam.end, seam.end}, true, Decision::Kind::found});
-  candidates.push_back({T, {seam.first, seam.first}, true, Decision::Kind::found});
+  add_slip({seam.end, seam.end});
+  add_slip({seam.first, seam.first});
   const Seam way{std::max<std::uint32_t>(1, finding.move->last_seen), seam.end};
-  const double max_scale = settings_.estimate.relocaliser.drift_sigmas * noise.planar_scale;
+  const double max_scale = max_sigmas * noise.planar_scale;
   const bool may_be_drift = !finding.move->tear;  // drift does not begin to be wrong at a line
   if (may_be_drift && way.first < way.end && scale_of(way, T, lines) < max_scale) {
     candidates.push_back({T, way, false, Decision::Kind::found});
