@@ -46,8 +46,8 @@ Lines lines_with(const mini_world::PoseByTime& drift, double to_s = 24.0) {
 
 /// An estimate of lines that were given one by one.
 struct Estimated {
-  explicit Estimated(const Lines& lines)
-      : modeler(ModelerConfig{}), estimate(modeler.observations(), estimate_settings({})) {
+  explicit Estimated(const Lines& lines, const OdometrySource* source = nullptr)
+      : modeler(ModelerConfig{}), estimate(modeler.observations(), estimate_settings({}), source) {
     for (const mini_world::Line& line : lines) {
       modeler.add_scan_line(line.beams, line.poses);
       estimate.update();
@@ -91,6 +91,26 @@ TEST_P(RelocaliserAfter, FindsTheRobot) {
 INSTANTIATE_TEST_SUITE_P(Slips, RelocaliserAfter,
                          testing::Values(Slip{0.0, 20.0}, Slip{0.0, -15.0}, Slip{0.5, 0.0},
                                          Slip{-0.6, 0.0}, Slip{0.3, 12.0}));
+
+/// A source that confirms the odometry, with an uncertainty of its own.
+class Witness : public OdometrySource {
+ public:
+  explicit Witness(double variance) : variance_(variance) {}
+  Pose T_odom_base(Time, const Pose& recorded) const override { return recorded; }
+  Eigen::Matrix3d step_covariance(Time, Time, const Pose&) const override {
+    return variance_ * Eigen::Matrix3d::Identity();
+  }
+
+ private:
+  double variance_;
+};
+
+TEST(Relocaliser, BelievesASourceThatSawNoSlip) {
+  const Lines lines = lines_with(slip(0.5, 0.0));
+  const Witness certain(1e-6), blind(1.0);
+  EXPECT_EQ(Estimated(lines, &certain).count(Decision::Kind::found), 0U);
+  EXPECT_GE(Estimated(lines, &blind).count(Decision::Kind::found), 1U);
+}
 
 TEST(Relocaliser, SaysAtWhichLineAndWhyItMoved) {
   const Lines lines = lines_with(slip(0.0, 20.0));
