@@ -44,23 +44,15 @@ struct Lists {
   bool no_figure = false;
 };
 
-/// Checks a drift. CLI11's own range check accepts NaN.
-void require_drift(const std::string& text) {
-  double drift = -1.0;
-  if (CLI::detail::lexical_cast(text, drift) && drift >= 0.0 && drift <= 1000.0) return;
-  throw std::invalid_argument("'" + text + "' is not a number from 0 to 1000");
-}
-
-void require_rate(const std::string& text) {
-  double rate_hz = 0.0;
-  if (CLI::detail::lexical_cast(text, rate_hz) && rate_hz >= 1.0 && rate_hz <= 40.0) return;
-  throw std::invalid_argument("'" + text + "' is not a number from 1 to 40");
-}
-
-void require_speed(const std::string& text) {
-  double speed = 0.0;
-  if (CLI::detail::lexical_cast(text, speed) && speed >= 0.01 && speed <= 1.0) return;
-  throw std::invalid_argument("'" + text + "' is not a number from 0.01 to 1");
+/// Returns a check of a number's range. CLI11's own accepts NaN.
+auto number_within(double least, double most) {
+  return [=](const std::string& text) {
+    double number = 0.0;
+    if (CLI::detail::lexical_cast(text, number) && number >= least && number <= most) return;
+    std::ostringstream message;
+    message << "'" << text << "' is not a number from " << least << " to " << most;
+    throw std::invalid_argument(message.str());
+  };
 }
 
 /// Checks a seed. CLI11 would convert -1 to a very large number.
@@ -100,7 +92,7 @@ void add_list_options(CLI::App& app, Lists& lists) {
   app.option_defaults()->group("Options that take lists (a,b,c): a series runs all combinations");
   add_list(app, "--world", lists.worlds, "SDF world file")->capture_default_str();
   add_list(app, "--drift", lists.drifts, "scale of the localisation noise; 1 is gmapping's")
-      ->check(accepted_by(require_drift))
+      ->check(accepted_by(number_within(0.0, 1000.0)))
       ->capture_default_str();
   add_list(app, "--noise", lists.noises,
            "range noise of the laser: datasheet, gazebo, pomerleau or none")
@@ -113,10 +105,10 @@ void add_list_options(CLI::App& app, Lists& lists) {
            "number of beams, 0.25 degrees apart: 3 to 1081 [the PR2's 381]")
       ->check(CLI::Range(3, 1081).description(""));
   add_list(app, "--rate", lists.rates_hz, "scans per second: 1 to 40 [the PR2's 40]")
-      ->check(accepted_by(require_rate));
+      ->check(accepted_by(number_within(1.0, 40.0)));
   add_list(app, "--speed", lists.speeds_m_s,
            "speed of the robot, 0.01 to 1 m/s; scales the turn rate alike [the route's]")
-      ->check(accepted_by(require_speed));
+      ->check(accepted_by(number_within(0.01, 1.0)));
   add_list(app, "--deskew", lists.deskews,
            "place each beam at its own time: on or off [the preset's]")
       ->check(CLI::IsMember({"on", "off"}).description(""));

@@ -111,8 +111,7 @@ Pose PosedLines::recorded_step(std::size_t line) const {
 Matrix6 PosedLines::fused_covariance(std::size_t line, const OdometryNoise& noise) const {
   const Vector6 variances = noise.variances(step(line));
   const Eigen::Vector3d recorded(variances[0], variances[1], variances[5]);
-  const Eigen::Matrix3d planar =
-      fused(recorded.asDiagonal(), source_covariances_[line].cast<double>());
+  const Eigen::Matrix3d planar = fused(recorded.asDiagonal(), source_covariance(line));
   Matrix6 covariance = variances.asDiagonal();
   for (int i = 0; i < 3; ++i) {
     for (int j = 0; j < 3; ++j) covariance(kInPlane[i], kInPlane[j]) = planar(i, j);

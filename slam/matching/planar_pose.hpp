@@ -5,6 +5,8 @@
 #include <Eigen/Core>
 #include <cmath>
 
+#include "modeler/geometry/pose.hpp"
+
 namespace ribbon_mapper::slam {
 
 /// Returns an angle [rad] in -pi..pi.
@@ -43,6 +45,11 @@ inline PlanarPose relative(const PlanarPose& from, const PlanarPose& to) {
 /// Returns the distance between the origins of two poses [m].
 inline double distance_m(const PlanarPose& a, const PlanarPose& b) {
   return std::hypot(a.x_m - b.x_m, a.y_m - b.y_m);
+}
+
+/// Returns what a pose is in the plane.
+inline PlanarPose planar(const Pose& pose) {
+  return {pose.translation().x(), pose.translation().y(), yaw_of(pose)};
 }
 
 /// Returns a pose, given as x, y [m] and yaw [rad].

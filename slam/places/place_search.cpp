@@ -17,11 +17,6 @@ constexpr double kSpacing_m = 0.1;  // of the points that are searched for
 constexpr double kMaxSlide_m = 0.3, kMaxSlide_rad = 0.1;
 constexpr double kSame_m = 0.1, kSame_rad = 0.035;  // moves that differ by less are one
 
-PlanarPose planar_of(const Pose& pose) {
-  return {pose.translation().x(), pose.translation().y(),
-          std::atan2(pose.linear()(1, 0), pose.linear()(0, 0))};
-}
-
 LevelPoints wall_points(const PosedLines& lines, const LineRange& range) {
   LevelPoints points;
   for (std::uint32_t i = lines.first_ribbon(range.first); i < lines.first_ribbon(range.end); ++i) {
@@ -82,14 +77,14 @@ PlaceSearch::PlaceSearch(const PosedLines& lines, const LineRange& range, const 
       range_(range),
       scene_(scene),
       config_(config),
-      here_(planar_of(lines.T_start_base(range.end - 1))),
+      here_(planar(lines.T_start_base(range.end - 1))),
       seen_(thinned(wall_points(lines, range), kSpacing_m)),
       known_(thinned(scene.points(), 0.5 * kSpacing_m)),
       search_(known_) {}
 
 std::vector<PlaceMove> PlaceSearch::moves_about(std::uint32_t pivot_line) const {
   const RelocaliserConfig& limits = config_.relocaliser;
-  const PlanarPose pivot = planar_of(lines_.T_start_base(pivot_line));
+  const PlanarPose pivot = planar(lines_.T_start_base(pivot_line));
   const auto found = search_.find(moved(seen_, inverse(pivot)), pivot,
                                   {limits.radius_m, limits.angle_deg * kDegree, limits.least_score},
                                   limits.second_share);

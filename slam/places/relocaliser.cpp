@@ -4,10 +4,10 @@
 
 #include <Eigen/Cholesky>
 #include <algorithm>
-#include <cmath>
 #include <sstream>
 
 #include "slam/lines/line_adjustment.hpp"
+#include "slam/matching/planar_pose.hpp"
 
 namespace ribbon_mapper::slam {
 namespace {
@@ -21,8 +21,7 @@ bool may_slip(const Seam& seam, const Pose& T_start_start, const PosedLines& lin
   if (!lines.has_source()) return true;
   const Pose T_start_base = lines.T_start_base(seam.end);
   const Pose moved = T_start_base.inverse(Eigen::Isometry) * T_start_start * T_start_base;
-  const Eigen::Vector3d error(moved.translation().x(), moved.translation().y(),
-                              std::atan2(moved.linear()(1, 0), moved.linear()(0, 0)));
+  const Eigen::Vector3d error = planar(moved).vector();
   Eigen::Matrix3d covariance = Eigen::Matrix3d::Zero();
   for (std::uint32_t i = seam.first; i <= seam.end; ++i) covariance += lines.source_covariance(i);
   return error.dot(covariance.ldlt().solve(error)) <= max_sigmas * max_sigmas;

@@ -20,10 +20,6 @@ namespace {
 using Clock = std::chrono::steady_clock;
 constexpr double kPointSpacing_m = 0.05;
 
-PlanarPose planar(const Pose& pose) {
-  return {pose.translation().x(), pose.translation().y(), yaw_of(pose)};
-}
-
 /// Hands lines over to the SLAM, and measures what loops cost.
 class Feeder {
  public:
