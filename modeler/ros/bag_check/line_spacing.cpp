@@ -49,6 +49,9 @@ ModelerConfig adapted(ModelerConfig preset, const LineSpacing& spacing) {
   scan.range_sigma_m = std::max(scan.range_sigma_m, rounded_up(spacing.noise_m, 1000.0));
   scan.direction_sigma_deg = to_hundredths(spacing.beam_step_rad / kDegree / std::sqrt(12.0));
   if (lines_are_within_noise(spacing)) {
+    // Base lines are as long as the noise asks for: more than there is costs the ribbons of small
+    // surfaces.
+    scan.range_sigma_m = rounded_up(kMuchNoise * spacing.noise_m, 1000.0);
     scan.base_line_sigmas = std::max(scan.base_line_sigmas, kAveragingBaseLine);
   }
   scan.mixed_pixel_angle_deg = std::min(
@@ -62,6 +65,7 @@ ModelerConfig adapted(ModelerConfig preset, const LineSpacing& spacing) {
   const double gap_m = std::max(spacing.line_gap_m(), spacing.beam_gap_m());
   if (gap_m > surface.cell_size_m) {
     surface.cell_size_m = std::min(kMaxCell_m, rounded_up(kObliqueGaps * gap_m, 100.0));
+    surface.outline_tolerance_m = rounded_up(surface.cell_size_m * std::sqrt(0.5), 1000.0);
   }
   surface.stripe_gap_m = std::max(
       surface.stripe_gap_m, rounded_up(2.0 * spacing.line_step_rad * spacing.far_range_m, 10.0));

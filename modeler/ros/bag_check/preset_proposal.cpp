@@ -5,6 +5,7 @@
 #include <array>
 #include <stdexcept>
 
+#include "modeler/assembly/model_quality.hpp"
 #include "modeler/io/config_file.hpp"
 #include "modeler/modeler.hpp"
 #include "modeler/report/changed_keys.hpp"
@@ -25,29 +26,46 @@ constexpr double kGrowth = 1.1;
 /// The tolerances of section 5.1 of the paper: of a standing and of a moving robot.
 constexpr std::array<AssociationGates, 2> kWiderGates{{{3.2, 0.10}, {3.2, 0.25}}};
 
-/// Returns the area of all planes, with the recorded poses as final ones.
-double area_m2(const Lines& lines, const ModelerConfig& config) {
+/// What tells whether gates suit a recording.
+struct GateTrial {
+  double area_m2 = 0.0;        ///< of all planes
+  std::size_t duplicates = 0;  ///< planes that others have already: gates were too tight
+  double residual_m = 0.0;     ///< beyond the noise of a range, gates were too wide
+
+  bool explains_more_than(const GateTrial& other) const {
+    return duplicates < other.duplicates ||
+           (duplicates == other.duplicates && area_m2 > kGrowth * other.area_m2);
+  }
+};
+
+/// Returns how the model turns out, with the recorded poses as final ones.
+GateTrial trial_of(const Lines& lines, const ModelerConfig& config) {
   Modeler modeler(config);
   for (const ReadyLine& line : lines) modeler.add_scan_line(line.beams, line.poses);
   const std::vector<StampedPose> trajectory = modeler.trajectory();
-  if (trajectory.empty()) return 0.0;
+  if (trajectory.empty()) return {};
   modeler.correct(trajectory);
-  double sum_m2 = 0.0;
-  for (const Plane& plane : modeler.planes()) sum_m2 += plane.area_m2;
-  return sum_m2;
+  const std::vector<Plane> planes = modeler.planes();
+  DuplicateRule rule;
+  rule.touching_m = config.surface.stripe_gap_m;
+  GateTrial trial{0.0, duplicates_of_larger(planes, rule).size(),
+                  median_residual_m(planes).value_or(0.0)};
+  for (const Plane& plane : planes) trial.area_m2 += plane.area_m2;
+  return trial;
 }
 
-/// Widens the gates while that lets planes grow. Lasers whose mounting is not calibrated bend
-/// planes by more than their noise.
+/// Widens the gates where that lets planes grow or leaves fewer duplicates, and planes stay as
+/// thin as the noise. Lasers whose mounting is not calibrated bend planes by more than their noise.
 void widen_gates(const Lines& lines, ModelerConfig& config) {
-  double best_m2 = area_m2(lines, config);
+  GateTrial best = trial_of(lines, config);
   for (const AssociationGates& gates : kWiderGates) {
-    ModelerConfig wider = config;
     if (gates.distance_m <= config.association.corrected.distance_m) continue;
+    ModelerConfig wider = config;
     wider.association.corrected = gates;
-    const double wider_m2 = area_m2(lines, wider);
-    if (wider_m2 <= kGrowth * best_m2) return;
-    best_m2 = wider_m2;
+    const GateTrial trial = trial_of(lines, wider);
+    if (trial.residual_m > config.scan.range_sigma_m) return;
+    if (!trial.explains_more_than(best)) continue;
+    best = trial;
     config = wider;
   }
 }
