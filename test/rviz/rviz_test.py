@@ -30,7 +30,7 @@ CASES = {
     'loop_closure': ([], '/', '/tilt_scan'),
     'modeler': (['scan:=my_scan'], '/robot1', '/robot1/my_scan'),
     'pr2': (['scan:=/front/scan'], '/', '/front/scan'),
-    'pr2_replay': ([], '/', '/tilt_scan'),
+    'pr2_replay': (['bag:=a.bag'], '/', '/tilt_scan'),
     'simulate': ([], '/', '/tilt_scan'),
     'slam': (['scan:=other_scan'], '/', '/other_scan'),
 }
