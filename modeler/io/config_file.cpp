@@ -38,6 +38,16 @@ struct KnownNames {
       sections.insert(key.substr(0, dot));
     }
   }
+
+  /// Returns the keys of the section that a key begins with, or all if there is no such section.
+  std::string listed_for(const std::string& key) const {
+    const std::string top = key.substr(0, key.find('.'));
+    std::string list;
+    for (const std::string& name : keys) {
+      if (sections.count(top) == 0 || name.substr(0, name.find('.')) == top) list += "\n  " + name;
+    }
+    return list;
+  }
 };
 
 [[noreturn]] void refuse(std::string key, YAML::Node value, const KnownNames& known) {
@@ -50,9 +60,8 @@ struct KnownNames {
   if (const auto name = present_name_of(key)) {
     throw std::invalid_argument(key + " was renamed: write " + *name);
   }
-  std::string list;
-  for (const std::string& name : known.keys) list += "\n  " + name;
-  throw std::invalid_argument("unknown key " + in_one_line(key, 80) + "; known are" + list);
+  throw std::invalid_argument("unknown key " + in_one_line(key, 80) + "; known are" +
+                              known.listed_for(key));
 }
 
 /// Collects the values of known keys. Refuses the first other one, so that the work is limited by

@@ -48,5 +48,24 @@ TEST(EmptyModel, ABagWhoseLinesGiveNothingIsAnErrorWithTheCause) {
   }
 }
 
+TEST(EmptyModel, ABagThatTheLoadedModelHasAlreadyIsAnError) {
+  ros::Time::init();
+  const TemporaryDirectory directory;
+  OfflineOptions options;
+  options.bags = {kRoom};
+  const OfflineRun found = model_bags(options, [](const Progress&) {});
+  options.load = directory.path() / "model.ribbons";
+  std::ofstream(options.load, std::ios::binary) << found.model_file;
+  try {
+    model_bags(options, [](const Progress&) {});
+    ADD_FAILURE() << "modelled";
+  } catch (const std::runtime_error& error) {
+    EXPECT_THAT(error.what(), HasSubstr("475 x older than the loaded model"));
+  }
+  options.bags.clear();
+  EXPECT_EQ(model_bags(options, [](const Progress&) {}).planes_after.size(),
+            found.planes_after.size());
+}
+
 }  // namespace
 }  // namespace ribbon_mapper

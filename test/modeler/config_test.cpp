@@ -153,6 +153,8 @@ TEST_F(ConfigFile, MayBeEmpty) {
 TEST_F(ConfigFile, WithUnknownKeysIsRefusedWithTheKnownOnes) {
   expect_complaint("surface: {cell_sise_m: 0.1}",
                    {"unknown key surface.cell_sise_m", "surface.cell_size_m"});
+  EXPECT_EQ(std::string::npos, complaint_about(write("surface: {cell_sise_m: 0.1}")).find("scan."))
+      << "keys of other sections would hide the one that was meant";
   expect_complaint("surfaces: {cell_size_m: 0.1}", {"unknown key surfaces.cell_size_m"});
   expect_complaint("cell_size_m: 0.1", {"unknown key cell_size_m"});
   expect_complaint("association: {slam: {cell_size_m: 0.1}}",

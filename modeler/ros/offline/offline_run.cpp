@@ -93,9 +93,12 @@ void take_lines(const OfflineOptions& options, Modelling& modelling, OfflineSumm
   add_doubts_about_lines(keeper.log(), summary);
 }
 
-void require_ribbons(const ModelKeeper& keeper, const OfflineSummary& summary) {
+/// Refuses an empty model, and recordings that added nothing to a loaded one.
+void require_ribbons(const ModelKeeper& keeper, const OfflineOptions& options,
+                     const OfflineSummary& summary) {
   const LineLog& log = keeper.log();
-  if (keeper.modeler().statistics().ribbons > 0) return;
+  const bool is_added = log.handled_by_outcome().count(to_string(LineResult::modelled)) > 0;
+  if (keeper.modeler().statistics().ribbons > 0 && (is_added || options.bags.empty())) return;
   std::string why =
       "no line could be modelled of " + std::to_string(log.lines()) + ": " + why_no_ribbons(log);
   for (const auto& [reason, count] : log.dropped_by_reason()) {
@@ -225,7 +228,7 @@ OfflineRun model_bags(const OfflineOptions& options, const ProgressCallback& pro
   ModelKeeper& keeper = modelling.keeper;
   if (beginning.file) keeper.load(std::move(*beginning.file));
   take_lines(options, modelling, run.summary, progress);
-  require_ribbons(keeper, run.summary);
+  require_ribbons(keeper, options, run.summary);
 
   run.planes_before = with_outlines(keeper.modeler().planes_as_built(), config.surface);
   run.trajectory_before = keeper.modeler().trajectory();
