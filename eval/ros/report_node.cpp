@@ -16,6 +16,7 @@
 #include "modeler/program/installed_files.hpp"
 #include "modeler/program/run_program.hpp"
 #include "modeler/ros/node/strict_parameters.hpp"
+#include "modeler/ros/run/run_node.hpp"
 #include "modeler/storage/file_set.hpp"
 #include "sim/sdf/resource_finder.hpp"
 
@@ -158,9 +159,11 @@ class ReportNode {
 }  // namespace ribbon_mapper::eval
 
 int main(int argc, char** argv) {
-  ros::init(argc, argv, "report");
-  const ros::NodeHandle keeps_logging_up;
-  return ribbon_mapper::run_program("report", [] {  // rosconsole may be down at its end
-    return ribbon_mapper::eval::ReportNode(ribbon_mapper::eval::NodeParameters::read()).run();
+  const ribbon_mapper::NodeInfo info{
+      "report", "compares the models of a simulated tour with its world", "loop_closure.launch"};
+  return ribbon_mapper::run_node(argc, argv, info, [] {
+    return ribbon_mapper::run_program("report", [] {  // rosconsole may be down at its end
+      return ribbon_mapper::eval::ReportNode(ribbon_mapper::eval::NodeParameters::read()).run();
+    });
   });
 }

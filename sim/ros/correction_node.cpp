@@ -9,6 +9,7 @@
 
 #include "modeler/ros/messages/message_conversions.hpp"
 #include "modeler/ros/node/strict_parameters.hpp"
+#include "modeler/ros/run/run_node.hpp"
 #include "sim/ros/loop_detector.hpp"
 #include "sim/ros/pose_history.hpp"
 
@@ -160,14 +161,11 @@ class CorrectionNode {
 }  // namespace ribbon_mapper
 
 int main(int argc, char** argv) {
-  ros::init(argc, argv, "correction");
-  const ros::NodeHandle keeps_logging_up;
-  try {
+  const ribbon_mapper::NodeInfo info{
+      "correction", "closes loops of a simulated tour by its true poses", "loop_closure.launch"};
+  return ribbon_mapper::run_node(argc, argv, info, [] {
     ribbon_mapper::CorrectionNode node(ribbon_mapper::NodeParameters::read());
     ros::spin();
-  } catch (const std::exception& error) {
-    ROS_FATAL("%s", error.what());
-    return 1;
-  }
-  return 0;
+    return 0;
+  });
 }

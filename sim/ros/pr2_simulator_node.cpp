@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <ros/ros.h>
 
+#include "modeler/ros/run/run_node.hpp"
 #include "sim/ros/pacer.hpp"
 #include "sim/ros/simulator_parameters.hpp"
 #include "sim/ros/tour_publisher.hpp"
@@ -80,30 +81,30 @@ void run(TourPublisher& publisher, const Tour& tour, double rate) {
   }
 }
 
+void simulate(const SimulatorParameters& parameters) {
+  const World world =
+      World::load(parameters.world, parameters.model_paths, parameters.caster, parameters.visuals);
+  Tour tour(world, Route::load(parameters.route), parameters.tour);
+  ROS_INFO("%s; %s", world.content().c_str(), tour.view().c_str());
+  for (const std::string& warning : world.warnings())
+    ROS_WARN("world %s: %s", parameters.world.c_str(), warning.c_str());
+  ros::NodeHandle node;
+  TourPublisher publisher(node, world, tour, parameters.frames, parameters.localisation);
+  // Connections are made by callbacks; latched messages go out with them.
+  ros::AsyncSpinner spinner(1);
+  spinner.start();
+  wait_for_subscribers(publisher, parameters);
+  run(publisher, tour, parameters.rate);
+}
+
 }  // namespace
 }  // namespace ribbon_mapper::sim
 
 int main(int argc, char** argv) {
-  using namespace ribbon_mapper::sim;
-  ros::init(argc, argv, "pr2_simulator");
-  ros::NodeHandle node;  // outlives the try block: logging ends with the last handle
-  try {
-    const SimulatorParameters parameters = SimulatorParameters::read();
-    const World world = World::load(parameters.world, parameters.model_paths, parameters.caster,
-                                    parameters.visuals);
-    Tour tour(world, Route::load(parameters.route), parameters.tour);
-    ROS_INFO("%s; %s", world.content().c_str(), tour.view().c_str());
-    for (const std::string& warning : world.warnings())
-      ROS_WARN("world %s: %s", parameters.world.c_str(), warning.c_str());
-    TourPublisher publisher(node, world, tour, parameters.frames, parameters.localisation);
-    // Connections are made by callbacks; latched messages go out with them.
-    ros::AsyncSpinner spinner(1);
-    spinner.start();
-    wait_for_subscribers(publisher, parameters);
-    run(publisher, tour, parameters.rate);
-  } catch (const std::exception& error) {
-    ROS_FATAL("%s", error.what());
-    return 1;
-  }
-  return 0;
+  const ribbon_mapper::NodeInfo info{"pr2_simulator", "drives a PR2 through a simulated world",
+                                     "simulate.launch"};
+  return ribbon_mapper::run_node(argc, argv, info, [] {
+    ribbon_mapper::sim::simulate(ribbon_mapper::sim::SimulatorParameters::read());
+    return 0;
+  });
 }

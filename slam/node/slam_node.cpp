@@ -11,6 +11,7 @@
 #include "modeler/ros/intake/clock_guard.hpp"
 #include "modeler/ros/intake/tf_feed.hpp"
 #include "modeler/ros/messages/message_conversions.hpp"
+#include "modeler/ros/run/run_node.hpp"
 #include "slam/node/closing.hpp"
 #include "slam/node/slam_diagnostics.hpp"
 #include "slam/node/slam_publisher.hpp"
@@ -285,14 +286,11 @@ void SlamNode::report() {
 }  // namespace ribbon_mapper::slam
 
 int main(int argc, char** argv) {
-  ros::init(argc, argv, "slam");
-  const ros::NodeHandle keeps_logging_up;
-  try {
+  const ribbon_mapper::NodeInfo info{"slam", "estimates the trajectory from odometry and planes",
+                                     "slam.launch"};
+  return ribbon_mapper::run_node(argc, argv, info, [] {
     ribbon_mapper::slam::SlamNode node(ribbon_mapper::slam::SlamParameters::read());
     ros::spin();
-  } catch (const std::exception& error) {
-    ROS_FATAL("%s", error.what());
-    return 1;
-  }
-  return 0;
+    return 0;
+  });
 }

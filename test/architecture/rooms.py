@@ -32,7 +32,7 @@ _MODELER = _METHOD + ["modeler"]
 _TOOLS = _MODELER + ["modeler/calibration", "modeler/storage", "modeler/io", "modeler/map_files",
                      "modeler/text", "modeler/mesh", "modeler/exports", "modeler/model_file", "modeler/report",
                      "modeler/program"]
-_ROS = ["modeler/ros/messages", "modeler/ros/intake", "modeler/ros/node"]
+_ROS = ["modeler/ros/messages", "modeler/ros/intake", "modeler/ros/node", "modeler/ros/run"]
 _SIM = ["sim/shapes", "sim/sdf", "sim/world", "sim/rays", "sim/robot", "sim/tour", "sim/truth"]
 _POSE = ["modeler/geometry/time.hpp", "modeler/geometry/pose.hpp"]
 
@@ -61,7 +61,8 @@ ROOMS = {
     "modeler/ros/intake": Room(_TOOLS + ["modeler/ros/messages"], ANY),
     "modeler/ros/maps": Room(_TOOLS + ["modeler/ros/messages"], ANY),
     "modeler/ros/node": Room(_TOOLS + ["modeler/ros/messages", "modeler/ros/intake",
-                                       "modeler/ros/maps"], ANY),
+                                       "modeler/ros/maps", "modeler/ros/run"], ANY),
+    "modeler/ros/run": Room(["modeler/program/version.hpp"], ANY),
     "modeler/ros/calibrate": Room(_TOOLS + _ROS, ANY),
     "modeler/ros/tf_filter": Room(_TOOLS + _ROS, ANY),
     "modeler/ros/slam_adapter": Room(_TOOLS + _ROS, ANY),
@@ -92,6 +93,7 @@ ROOMS = {
     # all nodes.
     "sim/ros": Room(_SIM + _POSE + ["modeler/ros/messages/message_conversions.hpp",
                                     "modeler/ros/node/strict_parameters.hpp",
+                                    "modeler/ros/run/run_node.hpp",
                                     "modeler/program/installed_files.hpp",
                                     "modeler/program/interrupt.hpp",
                                     "modeler/program/progress_bar.hpp",

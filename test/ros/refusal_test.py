@@ -72,6 +72,16 @@ class Refusal(unittest.TestCase):
         self.refuse('modeler', [PR2, '_autosave_period_s:=-1'], '/autosave_period_s', '0 to 86400')
         self.refuse('modeler', [PR2, '_resume:=7'], '/resume', 'must be true or false')
 
+    def test_every_node_says_what_it_is(self):
+        """Without a master, which a person who asks may not have yet."""
+        alone = dict(os.environ, ROS_MASTER_URI='http://localhost:1')
+        for node in ('modeler', 'slam', 'slam_adapter', 'tf_filter', 'calibrate', 'pr2_simulator',
+                     'correction'):
+            for option, words in (('--help', node + ', a node of ROS: '), ('--version', '.')):
+                said = subprocess.run([path_of(node), option], stdout=subprocess.PIPE, text=True,
+                                      env=alone, timeout=PATIENCE, check=True).stdout
+                self.assertIn(words, said)
+
     def test_every_node_refuses_unknown_parameters(self):
         output = '_output:=' + os.path.join(tempfile.gettempdir(), 'refused.yaml')
         for node, arguments in (('tf_filter', []), ('slam_adapter', ['_source:=tf']),

@@ -16,6 +16,7 @@
 #include "modeler/ros/intake/tf_feed.hpp"
 #include "modeler/ros/messages/message_conversions.hpp"
 #include "modeler/ros/node/intake_parameters.hpp"
+#include "modeler/ros/run/run_node.hpp"
 #include "modeler/storage/atomic_file.hpp"
 #include "modeler/storage/disk.hpp"
 
@@ -152,11 +153,13 @@ class CalibrateNode {
 }  // namespace ribbon_mapper
 
 int main(int argc, char** argv) {
-  ros::init(argc, argv, "calibrate");
-  const ros::NodeHandle keeps_logging_up;
-  return ribbon_mapper::run_program("calibrate", [] {  // rosconsole may be down at its end
-    ribbon_mapper::CalibrateNode node(ribbon_mapper::CalibrateParameters::read());
-    ros::spin();
-    return node.is_done() ? 0 : 1;
+  const ribbon_mapper::NodeInfo info{"calibrate", "learns tolerances in front of a bare wall",
+                                     "calibrate.launch"};
+  return ribbon_mapper::run_node(argc, argv, info, [] {
+    return ribbon_mapper::run_program("calibrate", [] {  // rosconsole may be down at its end
+      ribbon_mapper::CalibrateNode node(ribbon_mapper::CalibrateParameters::read());
+      ros::spin();
+      return node.is_done() ? 0 : 1;
+    });
   });
 }

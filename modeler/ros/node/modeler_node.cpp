@@ -21,6 +21,7 @@
 #include "modeler/ros/node/modeler_diagnostics.hpp"
 #include "modeler/ros/node/modeler_parameters.hpp"
 #include "modeler/ros/node/turn_check.hpp"
+#include "modeler/ros/run/run_node.hpp"
 
 namespace ribbon_mapper {
 namespace {
@@ -285,15 +286,12 @@ void ModelerNode::warn_of_doubts() {
 }  // namespace ribbon_mapper
 
 int main(int argc, char** argv) {
-  ros::init(argc, argv, "modeler");
-  const ros::NodeHandle keeps_logging_up;
-  try {
+  const ribbon_mapper::NodeInfo info{"modeler", "builds planes from the lines of a laser",
+                                     "modeler.launch"};
+  return ribbon_mapper::run_node(argc, argv, info, [] {
     ribbon_mapper::ModelerNode node(ribbon_mapper::modeler_parameters());
     ros::spin();
     node.autosave(true);
-  } catch (const std::exception& error) {
-    ROS_FATAL("%s", error.what());
-    return 1;
-  }
-  return 0;
+    return 0;
+  });
 }

@@ -10,6 +10,7 @@
 #include "modeler/ros/intake/tf_feed.hpp"
 #include "modeler/ros/messages/message_conversions.hpp"
 #include "modeler/ros/node/strict_parameters.hpp"
+#include "modeler/ros/run/run_node.hpp"
 #include "modeler/ros/slam_adapter/rtabmap_graph.hpp"
 #include "modeler/ros/slam_adapter/tf_history.hpp"
 #include "modeler/ros/slam_adapter/trajectory_query.hpp"
@@ -213,14 +214,11 @@ class SlamAdapter {
 }  // namespace ribbon_mapper
 
 int main(int argc, char** argv) {
-  ros::init(argc, argv, "slam_adapter");
-  const ros::NodeHandle keeps_logging_up;
-  try {
+  const ribbon_mapper::NodeInfo info{
+      "slam_adapter", "hands the trajectory of another SLAM to the modeler", nullptr};
+  return ribbon_mapper::run_node(argc, argv, info, [] {
     ribbon_mapper::SlamAdapter node(ribbon_mapper::NodeParameters::read());
     ros::spin();
-  } catch (const std::exception& error) {
-    ROS_FATAL("%s", error.what());
-    return 1;
-  }
-  return 0;
+    return 0;
+  });
 }

@@ -9,6 +9,7 @@
 #include "modeler/ros/messages/message_conversions.hpp"
 #include "modeler/ros/messages/transform_entry.hpp"
 #include "modeler/ros/node/strict_parameters.hpp"
+#include "modeler/ros/run/run_node.hpp"
 
 namespace ribbon_mapper {
 namespace {
@@ -45,17 +46,15 @@ class TfFilterNode {
 }  // namespace ribbon_mapper
 
 int main(int argc, char** argv) {
-  ros::init(argc, argv, "tf_filter");
-  const ros::NodeHandle keeps_logging_up;
-  try {
+  const ribbon_mapper::NodeInfo info{
+      "tf_filter", "forwards the transforms of a bag, without those of some frames",
+      "pr2_replay.launch"};
+  return ribbon_mapper::run_node(argc, argv, info, [] {
     ribbon_mapper::StrictParameters from;
     const auto drop_frames = ribbon_mapper::frames_from(from.text("drop_frames", ""));
     from.refuse_unknown();
     const ribbon_mapper::TfFilterNode node(drop_frames);
     ros::spin();
-  } catch (const std::exception& error) {
-    ROS_FATAL("%s", error.what());
-    return 1;
-  }
-  return 0;
+    return 0;
+  });
 }
