@@ -76,6 +76,16 @@ class Files(unittest.TestCase):
             self.assertIn('/pr2_simulator/model_path', paths, file)
             self.assertEqual(set(paths.values()), {'/a:/b'}, file)
 
+    def test_the_route_is_that_beside_the_world(self):
+        for file in shipped('launch/*.launch'):
+            if 'route' not in roslaunch.arg_dump.get_args([file]):
+                continue
+            for world in ('worlds/room.sdf', '/a.b/office.world'):
+                given = loaded(file, ['world:=' + world, 'simulate:=true']).params
+                route = given['/pr2_simulator/route'].value
+                self.assertIn(route, (world.rsplit('.', 1)[0] + end for end in
+                                      ('.route.yaml', '_calibration.route.yaml')), file)
+
     def test_launch_files_hand_their_arguments_on(self):
         for file in shipped('launch/*.launch'):
             arguments = roslaunch.arg_dump.get_args([file])
