@@ -52,8 +52,9 @@ Agreement MoveFinder::agreement(const PosedLines& lines, const LineRange& range,
   return agreement_of(lines, range, T_start_start, scene, settings_.estimate.gates.front());
 }
 
-Finding MoveFinder::find(const PosedLines& lines, double tracked_share) {
+Finding MoveFinder::find(const PosedLines& lines, double tracked_share, double max_scale) {
   finding_ = {};
+  max_scale_ = max_scale;
   const LineRange newest{first_within(lines, settings_.estimate.relocaliser.query_s), lines.size()};
   if (newest.first < 2) return finding_;
   look_at_recent(lines, newest, tracked_share);
@@ -95,7 +96,8 @@ void MoveFinder::open_break(const PosedLines& lines, const LineRange& newest, co
   const bool is_contradicted = is_contradiction(now, config);
   if (is_known && !breaks_.empty()) breaks_.back().is_settled = true;
   if (is_known) return;
-  if (!breaks_.empty() && !breaks_.back().is_settled) {
+  const std::optional<std::uint32_t> strained = newly_strained(lines);
+  if (!strained && !breaks_.empty() && !breaks_.back().is_settled) {
     if (!is_contradicted || breaks_.back().tear) return;
   }
   if (breaks_.size() == kMostBreaks) {
@@ -104,10 +106,21 @@ void MoveFinder::open_break(const PosedLines& lines, const LineRange& newest, co
     breaks_.erase(plain != breaks_.end() ? plain : breaks_.begin());
   }
   Break& torn = breaks_.emplace_back();
-  torn.line = newest.first;
+  torn.line = strained.value_or(newest.first);
   if (is_contradicted) {
     torn.tear = end_of_fitting(lines, newest, scene, settings_.estimate.gates.front());
   }
+}
+
+/// Returns where the window contradicts its odometry, unless a break begins there already.
+std::optional<std::uint32_t> MoveFinder::newly_strained(const PosedLines& lines) const {
+  const LineRange window{first_within(lines, settings_.estimate.window_s), lines.size()};
+  const std::optional<std::uint32_t> line = most_strained(lines, window, max_scale_);
+  if (!line) return std::nullopt;
+  const bool is_broken = std::any_of(breaks_.begin(), breaks_.end(), [&](const Break& torn) {
+    return std::abs(lines.seconds_between(*line, torn.line)) < settings_.estimate.window_step_s;
+  });
+  return is_broken ? std::nullopt : line;
 }
 
 std::optional<std::uint32_t> MoveFinder::last_tear_before(std::uint32_t line) const {

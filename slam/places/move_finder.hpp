@@ -42,8 +42,9 @@ class MoveFinder {
   explicit MoveFinder(const EstimateSettings& settings) : settings_(settings) {}
 
   /// Looks at the newest lines. `tracked_share` of the walls in view was known since the last call,
-  /// see LineTracker::known_share().
-  Finding find(const PosedLines& lines, double tracked_share);
+  /// see LineTracker::known_share(). Lines that need more than `max_scale` of the odometry's noise
+  /// contradict it, see most_strained().
+  Finding find(const PosedLines& lines, double tracked_share, double max_scale);
 
   /// Closes all breaks: after a move, or when lines are gone.
   void forget_breaks() { breaks_.clear(); }
@@ -68,6 +69,7 @@ class MoveFinder {
   void look_at_recent(const PosedLines& lines, const LineRange& newest, double tracked_share);
   void open_break(const PosedLines& lines, const LineRange& newest, const Agreement& now,
                   const KnownScene& scene);
+  std::optional<std::uint32_t> newly_strained(const PosedLines& lines) const;
   std::optional<std::uint32_t> last_tear_before(std::uint32_t line) const;
   const KnownScene& scene_before(Break& torn, const PosedLines& lines) const;
   bool search_before(Break& torn, const PosedLines& lines, const LineRange& newest);
@@ -82,6 +84,7 @@ class MoveFinder {
   EstimateSettings settings_;
   std::vector<Break> breaks_;  // open ones, in their order
   Time doubted_until_{0};
+  double max_scale_ = 0.0;
   Finding finding_;  // of a call
 };
 

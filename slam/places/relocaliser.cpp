@@ -48,7 +48,7 @@ void Relocaliser::decide(Decision::Kind kind, const PosedLines& lines, const std
 
 bool Relocaliser::look(PosedLines& lines, double tracked_share, const OdometryNoise& noise) {
   if (way_back_ && lines.stamp(lines.size() - 1) > way_back_until_) way_back_.reset();
-  const Finding finding = finder_.find(lines, tracked_share);
+  const Finding finding = finder_.find(lines, tracked_share, max_scale(noise));
   if (choose(finding, lines, noise)) return true;
   // A move that was not made does not explain more in the end.
   const bool is_doubted =
@@ -58,6 +58,11 @@ bool Relocaliser::look(PosedLines& lines, double tracked_share, const OdometryNo
     decide(Decision::Kind::kept, lines, "nothing contradicts that this is new ground");
   }
   return false;
+}
+
+/// Returns the largest scale of the odometry's noise that is still drift.
+double Relocaliser::max_scale(const OdometryNoise& noise) const {
+  return settings_.estimate.relocaliser.drift_sigmas * noise.planar_scale;
 }
 
 /// Returns the histories that may explain what was found, and the one without the last move.
@@ -83,9 +88,8 @@ std::vector<Relocaliser::Candidate> Relocaliser::candidates(const Finding& findi
   add_slip({seam.end, seam.end});
   add_slip({seam.first, seam.first});
   const Seam way{std::max<std::uint32_t>(1, finding.move->last_seen), seam.end};
-  const double max_scale = max_sigmas * noise.planar_scale;
   const bool may_be_drift = !finding.move->tear;  // drift does not begin to be wrong at a line
-  if (may_be_drift && way.first < way.end && scale_of(way, T, lines) < max_scale) {
+  if (may_be_drift && way.first < way.end && scale_of(way, T, lines) < max_scale(noise)) {
     candidates.push_back({T, way, false, Decision::Kind::found});
   }
   return candidates;

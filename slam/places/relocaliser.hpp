@@ -45,6 +45,7 @@ class Relocaliser {
     bool is_slip;         // the odometry has failed within the seam
     Decision::Kind kind;  // if it is chosen
   };
+  double max_scale(const OdometryNoise& noise) const;
   std::vector<Candidate> candidates(const Finding& finding, const PosedLines& lines,
                                     const OdometryNoise& noise) const;
   PosedLines history_with(const Candidate& candidate, const PosedLines& lines,

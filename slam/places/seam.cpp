@@ -12,6 +12,8 @@
 namespace ribbon_mapper::slam {
 namespace {
 
+constexpr double kStrain_s = 1.0;  // a sweep shows walls again by then
+
 /// Returns, for each line, the length of its ribbons that fit if moved, less what does not fit [m].
 std::vector<double> gains(const PosedLines& lines, const LineRange& range,
                           const Pose& T_start_start, const KnownScene& scene,
@@ -105,6 +107,21 @@ double scale_of(const Seam& seam, const Pose& T_start_start, const PosedLines& l
   span.T_frame_start = lines.T_start_base(seam.first - 1);
   span.T_frame_end = T_start_start * lines.T_start_base(seam.end);
   return fitted_noise({span}).planar_scale;
+}
+
+std::optional<std::uint32_t> most_strained(const PosedLines& lines, const LineRange& range,
+                                           double max_scale) {
+  std::optional<std::uint32_t> worst;
+  std::uint32_t last_slip = 0;
+  std::uint32_t first = std::max<std::uint32_t>(1, range.first);
+  for (std::uint32_t i = first; i < range.end; ++i) {
+    if (lines.is_slip(i)) last_slip = i;
+    while (lines.seconds_between(first, i) > kStrain_s) ++first;
+    if (last_slip >= first || lines.seconds_between(range.first, i) < kStrain_s) continue;
+    const double scale = scale_of({first, i}, Pose::Identity(), lines);
+    if (scale > max_scale) worst = first, max_scale = scale;
+  }
+  return worst;
 }
 
 }  // namespace ribbon_mapper::slam

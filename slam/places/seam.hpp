@@ -2,6 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <cstdint>
+#include <optional>
+
 #include "slam/places/place_search.hpp"
 
 namespace ribbon_mapper::slam {
@@ -33,5 +36,11 @@ void move_behind(const Seam& seam, const Pose& T_start_start, PosedLines& lines)
 /// Returns the scale of the odometry's noise that would explain a move, see
 /// OdometryNoise::planar_scale.
 double scale_of(const Seam& seam, const Pose& T_start_start, const PosedLines& lines);
+
+/// Returns the first line of the second of a range that contradicts its odometry most: the lines
+/// behind it may have been put on wrong walls. Nothing if no second needs a scale beyond
+/// `max_scale`, see scale_of(). Steps that were declared wrong are left out.
+std::optional<std::uint32_t> most_strained(const PosedLines& lines, const LineRange& range,
+                                           double max_scale);
 
 }  // namespace ribbon_mapper::slam

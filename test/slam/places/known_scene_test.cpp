@@ -15,12 +15,11 @@ namespace {
 
 const AssociationGates kGates{3.2, 0.12};
 
-/// A room that is seen for eight seconds from its middle, through whose wall at x = 3 a door of 1 m
-/// leads.
+/// A room that is seen for eight seconds, from its middle unless a motion is given. A door of 1 m
+/// leads through its wall at x = 3.
 struct SeenRoom {
-  SeenRoom()
-      : modeler(mini_world::model_of(
-            mini_world::drive(with_door(), mini_world::tilting_in_place(), 0.0, 8.0))),
+  explicit SeenRoom(const mini_world::Motion& motion = mini_world::tilting_in_place())
+      : modeler(mini_world::model_of(mini_world::drive(with_door(), motion, 0.0, 8.0))),
         lines(modeler.observations()) {
     while (lines.has_next()) {
       lines.add_next();
@@ -131,6 +130,24 @@ TEST(Seam, LiesWhereLinesAreTorn) {
   move_behind(seam, back, room.lines);
   EXPECT_LT(angle_of(room.lines.T_start_base(300)), 1e-3);
   EXPECT_LT(angle_of(room.lines.T_start_base(100)), 1e-3);
+}
+
+TEST(MostStrained, IsTheSecondThatContradictsItsOdometry) {
+  SeenRoom room({mini_world::around_the_middle, mini_world::to_and_fro, mini_world::no_drift});
+  const LineRange all{1, room.lines.size()};
+  EXPECT_EQ(most_strained(room.lines, all, 3.0), std::nullopt);
+  const Pose there = room.lines.T_start_base(200);
+  const Pose move = there * in_space({0.0, 0.0, 0.2}) * there.inverse(Eigen::Isometry);
+  for (std::uint32_t i = 200; i < room.lines.size(); ++i) {
+    room.lines.set_pose(i, move * room.lines.T_start_base(i));
+  }
+  const std::optional<std::uint32_t> strained = most_strained(room.lines, all, 3.0);
+  ASSERT_TRUE(strained);
+  EXPECT_LE(*strained, 200U);
+  EXPECT_LE(room.lines.seconds_between(*strained, 200), 1.0);
+  EXPECT_EQ(most_strained(room.lines, {201, all.end}, 3.0), std::nullopt);
+  room.lines.set_slip(200, true);
+  EXPECT_EQ(most_strained(room.lines, all, 3.0), std::nullopt);
 }
 
 TEST(HistoryCost, IsLessWithoutATear) {
