@@ -72,7 +72,9 @@ tsan: ## what has threads under ThreadSanitizer, in build/tsan
 
 # In a copy of the sources, as dpkg writes beside them; hidden, as roslaunch finds files in all other folders.
 deb: GROUP = deb
-deb: ## Debian packages, in build/deb
+deb: ## Debian packages, in build/deb; on Debian 12
+	@. /etc/os-release; test "$$VERSION_ID" = 12 || \
+	  { echo "make deb: this is no Debian 12; others lack libsdformat-dev or libcli11-dev" >&2; false; }
 	./install_dependencies $(GROUP)
 	rm -rf build/deb && mkdir -p build/deb/.source
 	tar -c --exclude-vcs --exclude=./build --exclude=./devel --exclude=./results . | tar -x -C build/deb/.source

@@ -16,4 +16,4 @@ if(TARGET GEOS::geos_c)
 endif()
 find_package_handle_standard_args(GEOS
   REQUIRED_VARS geos_target
-  REASON_FAILURE_MESSAGE "install libgeos-dev (./install_dependencies installs what this release has)")
+  REASON_FAILURE_MESSAGE "install libgeos-dev (./install_dependencies does, unless this release of the system lacks it)")

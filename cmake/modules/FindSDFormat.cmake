@@ -13,4 +13,4 @@ endforeach()
 include(FindPackageHandleStandardArgs)
 find_package_handle_standard_args(SDFormat
   REQUIRED_VARS SDFormat_VERSION VERSION_VAR SDFormat_VERSION
-  REASON_FAILURE_MESSAGE "install libsdformat-dev (./install_dependencies installs what this release has)")
+  REASON_FAILURE_MESSAGE "install libsdformat-dev (./install_dependencies does, unless this release of the system lacks it)")

@@ -7,7 +7,7 @@ endif()
 include(FindPackageHandleStandardArgs)
 find_package_handle_standard_args(assimp
   REQUIRED_VARS ASSIMP_LINK_LIBRARIES VERSION_VAR ASSIMP_VERSION
-  REASON_FAILURE_MESSAGE "install libassimp-dev (./install_dependencies installs what this release has)")
+  REASON_FAILURE_MESSAGE "install libassimp-dev (./install_dependencies does, unless this release of the system lacks it)")
 if(assimp_FOUND AND NOT TARGET assimp::assimp)
   add_library(assimp::assimp INTERFACE IMPORTED)
   target_link_libraries(assimp::assimp INTERFACE PkgConfig::ASSIMP)

@@ -40,6 +40,11 @@ def save_both(figure, path):
     save(figure, path.with_suffix(".png"), dpi=200)
 
 
+def words_of(error):
+    """Returns what a person needs to know of an error: the file, or the key that lacks."""
+    return str(error) if isinstance(error, OSError) else repr(error)
+
+
 def draw_as(name, draw):
     """Saves what `draw` makes of the folder on the command line as NAME.svg and NAME.png there."""
     if len(sys.argv) != 2:
@@ -48,4 +53,4 @@ def draw_as(name, draw):
     try:
         save_both(draw(directory), directory / name)
     except (OSError, ValueError, KeyError, IndexError) as error:
-        sys.exit(f"{name}.py: {error!r}")
+        sys.exit(f"{name}.py: {words_of(error)}")

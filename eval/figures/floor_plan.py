@@ -11,7 +11,7 @@ floor_plan.svg and .png beside it.
 import math
 import sys
 
-from figure_files import save
+from figure_files import save, words_of
 from floor_plan_file import FloorPlan, input_and_output, polygons
 
 import matplotlib.pyplot as plt
@@ -227,7 +227,7 @@ def main():
         save(figure, svg, metadata={"Date": None})
         save(figure, png, dpi=150)
     except (OSError, ValueError, KeyError) as error:
-        sys.exit(f"floor_plan.py: {error!r}")
+        sys.exit(f"floor_plan.py: {words_of(error)}")
 
 
 if __name__ == "__main__":

@@ -115,7 +115,9 @@ def main():
         add_walls(space, plan)
         add_doors(space, plan)
         save(drawing, dxf)
-    except (OSError, ValueError, KeyError) as error:
+    except OSError as error:
+        sys.exit(f"floor_plan_dxf.py: {error}")
+    except (ValueError, KeyError) as error:
         sys.exit(f"floor_plan_dxf.py: {error!r}")
 
 

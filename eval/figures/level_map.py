@@ -68,7 +68,7 @@ def main():
     try:
         figure_files.save(draw(directory), directory / "level_map.png", dpi=150)
     except (OSError, ValueError, KeyError) as error:
-        sys.exit(f"level_map.py: {error!r}")
+        sys.exit(f"level_map.py: {figure_files.words_of(error)}")
 
 
 if __name__ == "__main__":

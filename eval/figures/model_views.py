@@ -14,7 +14,7 @@ import sys
 
 try:
     import numpy
-    from figure_files import counted, save
+    from figure_files import counted, save, words_of
     from outlines import closed, rings
     from text_places import TextPlaces
 except ImportError:
@@ -163,7 +163,7 @@ def main():
         save(draw(directory), pathlib.Path(sys.argv[2]) if len(sys.argv) == 3
              else directory / "model_views.png", dpi=150)
     except (OSError, ValueError, KeyError) as error:
-        sys.exit(f"model_views.py: {error!r}")
+        sys.exit(f"model_views.py: {words_of(error)}")
 
 
 if __name__ == "__main__":

@@ -4,6 +4,7 @@
 
 #include <chrono>
 #include <cstdio>
+#include <map>
 #include <stdexcept>
 #include <string>
 
@@ -19,6 +20,7 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 constexpr double kPointSpacing_m = 0.05;
+constexpr const char* kInclined = "the laser is not level";
 
 /// Hands lines over to the SLAM, and measures what loops cost.
 class Feeder {
@@ -27,7 +29,7 @@ class Feeder {
 
   void add(const ReadyLine& line) {
     if (!is_level(line.poses.T_base_laser_first, config_.scan)) {
-      log_.dropped("the laser is not level", line.frame + " is inclined in the frame of the base");
+      log_.dropped(kInclined, line.frame + " is inclined in the frame of the base");
       return;
     }
     const PlanarPose first = planar(line.poses.T_odom_base_first);
@@ -75,9 +77,17 @@ void take_scans(const SlamOptions& options, Feeder& feeder, LineLog& log, SlamSu
     summary.notes.push_back(warning);
 }
 
+/// Refuses a recording none of whose scans was used, and one of a laser that tilts.
 void require_scans(const LineLog& log, const SlamSummary& summary) {
-  if (summary.poses > 0) return;
-  std::string why = "no scan could be used of " + std::to_string(log.lines());
+  const std::map<std::string, std::size_t>& dropped = log.dropped_by_reason();
+  const auto inclined = dropped.find(kInclined);
+  const bool tilts = inclined != dropped.end() && 2 * inclined->second > log.lines();
+  if (summary.poses > 0 && !tilts) return;
+  std::string why =
+      tilts ? "the laser tilts: offline_modeler is for it; or give --scan a level one's "
+              "topic. Scans: "
+            : "no scan could be used of ";
+  why += std::to_string(log.lines());
   for (const auto& [reason, count] : log.dropped_by_reason())
     why += "\n  " + std::to_string(count) + " x " + reason;
   if (!log.newest_drop().empty()) why += "\nthe last one: " + log.newest_drop();

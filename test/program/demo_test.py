@@ -35,7 +35,7 @@ class Demo(unittest.TestCase):
         self.folder = pathlib.Path(folder.name)
         self.demo = demo_of(self.folder / "results")
 
-    def run_with(self, roslaunch, programs):
+    def run_with(self, roslaunch, programs, *arguments):
         """Runs the demo with this roslaunch. Returns its exit code and what it printed."""
         script = self.folder / "roslaunch"
         script.write_text(roslaunch)
@@ -45,7 +45,7 @@ class Demo(unittest.TestCase):
         os.environ["PATH"] = f"{self.folder}:{path}"
         self.demo.program = programs.get
         with contextlib.redirect_stdout(io.StringIO()) as printed:
-            code = self.demo.main([])
+            code = self.demo.main(list(arguments))
         return code, printed.getvalue()
 
     def test_one_voice_is_shown(self):
@@ -61,6 +61,11 @@ class Demo(unittest.TestCase):
                      "\x1b[31m=======REQUIRED process [report-6] has died!",
                      "process has finished cleanly", "[report-6] killing on exit", "done", ""]:
             self.assertIsNone(shown(line), line)
+
+    def test_arguments_of_the_simulator_are_refused_without_it(self):
+        code, printed = self.run_with("", {"offline_modeler": OFFLINE_MODELER}, "seed:=7")
+        self.assertEqual(1, code)
+        self.assertIn("seed:=7: for the simulator only", printed)
 
     def test_each_run_ends_with_a_line(self):
         summary = json.dumps({"planes_noisy_as_built": 110, "planes_corrected": 22,

@@ -2,7 +2,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "modeler/ros/bag/bag_set.hpp"
 
+#include <unistd.h>
+
 #include <algorithm>
+#include <cerrno>
+#include <cstring>
 #include <map>
 #include <stdexcept>
 #include <tuple>
@@ -22,6 +26,9 @@ std::unique_ptr<rosbag::Bag> open(const fs::path& file) {
   if (!fs::exists(file, error)) throw std::runtime_error(file.string() + ": there is no such file");
   if (!fs::is_regular_file(file, error)) throw std::runtime_error(file.string() + ": is no file");
   if (fs::file_size(file, error) == 0) throw std::runtime_error(file.string() + ": is empty");
+  if (::access(file.c_str(), R_OK) != 0) {
+    throw std::runtime_error(file.string() + ": cannot be read: " + std::strerror(errno));
+  }
   try {
     check_bag_structure(file);
     return std::make_unique<rosbag::Bag>(file.string(), rosbag::bagmode::Read);

@@ -55,7 +55,7 @@ void report_model(ModelKeeper& keeper, const AssemblyConfig& config, BagReport& 
   const std::size_t planes = keeper.planes().size();
   if (planes > 0) {
     report.fact("the lines give " + counted(statistics.ribbons, "ribbon") + " and " +
-                counted(planes, "plane"));
+                counted(planes, "plane") + " with the poses as recorded");
     report.turn_faults_into_warnings();
     return;
   }

@@ -85,7 +85,7 @@ std::string InputWatch::frames_advice(const LineIntake& intake, const TransformB
   const auto chosen = choose_frames(tree, laser_frame_, frames, {});
   const std::string settings =
       chosen ? settings_text(frames, *chosen, "", "_frame:=") : std::string();
-  if (!settings.empty()) return text + ": set " + settings;
+  if (!settings.empty()) return text + ": set " + settings + ", if no localisation is to come";
   return text + ": are ~map_frame, ~odom_frame and ~base_frame right?";
 }
 

@@ -14,7 +14,7 @@ void LineReport::diagnose(diagnostic_updater::DiagnosticStatusWrapper& status) {
   const Counts now = counts();
   const Counts before = std::exchange(diagnosed_, now);
   if (now.lines == 0) {
-    status.summary(DiagnosticStatus::WARN, "no scan on " + scan_topic_ + " yet");
+    status.summary(DiagnosticStatus::WARN, "no scan on " + scan_topic_ + " since the model began");
   } else if (now.dropped > before.dropped) {
     status.summary(DiagnosticStatus::WARN, "lines are dropped");
   } else if (now.lost > before.lost) {

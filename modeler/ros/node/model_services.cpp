@@ -92,6 +92,10 @@ Save::Response save_response(const std::string& name, ModelKeeper& keeper,
   try {
     check_save_name(name);
     check_files_of_its_own(name);
+    if (keeper.modeler().statistics().ribbons == 0) {
+      throw std::runtime_error(
+          "the model is empty: nothing is written, and a model of that name stays");
+    }
     const std::vector<Plane>& planes = keeper.planes();
     response.message = std::to_string(planes.size()) + " planes written to";
     const auto page = [&](const std::string& run) {

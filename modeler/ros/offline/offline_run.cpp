@@ -150,6 +150,7 @@ std::vector<StampedPose> final_poses(const OfflineOptions& options,
   }
   if (!options.poses_are_final && modeler.statistics().revision > 0) {
     origin = "as corrected in the model that was loaded";
+    if (!options.bags.empty()) origin += "; of new lines: recorded";
     return {};
   }
   const bool still = stands_still(modeler.trajectory());
