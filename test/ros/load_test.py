@@ -144,6 +144,7 @@ class LoadTest(unittest.TestCase):
         self.assertTrue(answer.success, answer.message)
         self.assertIn(self.file('kitchen'), answer.message)
         self.assertTrue(self.reset().success)
+        self.assertIn('the model is empty', self.save('kitchen').message)
         answer = self.load('kitchen')
         self.assertTrue(answer.success, answer.message)
         self.assertIn('1 corrections, 1 planes', answer.message)

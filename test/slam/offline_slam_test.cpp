@@ -88,6 +88,11 @@ TEST_F(OfflineSlam, ALaserThatIsInclinedIsRefused) {
   EXPECT_THAT(error(), HasSubstr("the laser is not level"));
 }
 
+TEST_F(OfflineSlam, ALaserThatTiltsIsRefusedAlthoughItIsLevelAtTimes) {
+  wall_.tilt_rad = 0.6;
+  EXPECT_THAT(error(), HasSubstr("the laser tilts: offline_modeler is for it"));
+}
+
 TEST_F(OfflineSlam, WithoutOdometryItSaysWhatIsMissing) {
   wall_.with_tf = false;
   EXPECT_THAT(error(), HasSubstr("no scan could be used of 200"));
