@@ -26,7 +26,8 @@ std::string bar(int percent) {
 }
 
 std::string figures(const Progress& progress) {
-  if (progress.modeler_s == 0.0) return std::to_string(progress.line) + (progress.line == 1 ? " line" : " lines");
+  if (progress.modeler_s == 0.0)
+    return std::to_string(progress.line) + (progress.line == 1 ? " line" : " lines");
   std::array<char, 96> text;
   std::snprintf(text.data(), text.size(), "%zu lines, %zu ribbons, %.0f x real time", progress.line,
                 progress.ribbons, real_time_factor(progress));
