@@ -105,8 +105,11 @@ void MoveFinder::open_break(const PosedLines& lines, const LineRange& newest, co
                                     [](const Break& b) { return !b.tear.has_value(); });
     breaks_.erase(plain != breaks_.end() ? plain : breaks_.begin());
   }
-  Break& torn = breaks_.emplace_back();
-  torn.line = strained.value_or(newest.first);
+  const std::uint32_t line = strained.value_or(newest.first);
+  const auto next =
+      std::find_if(breaks_.begin(), breaks_.end(), [&](const Break& b) { return b.line > line; });
+  Break& torn = *breaks_.insert(next, Break{});
+  torn.line = line;
   if (is_contradicted) {
     torn.tear = end_of_fitting(lines, newest, scene, settings_.estimate.gates.front());
   }
