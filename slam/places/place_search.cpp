@@ -39,12 +39,17 @@ LevelPoints moved(const LevelPoints& points, const PlanarPose& T_target_source) 
 void keep_distinct(std::vector<PlaceMove>& moves, double second_share) {
   const auto evidence_m = [](const PlaceMove& move) { return move.agreement.evidence_m(); };
   if (evidence_m(moves[1]) > evidence_m(moves[0])) std::swap(moves[0], moves[1]);
-  const PlanarPose apart = relative(moves[0].at_robot, moves[1].at_robot);
-  const bool is_same = apart.translation().norm() < kSame_m && std::abs(apart.yaw_rad) < kSame_rad;
-  if (is_same || evidence_m(moves[1]) < second_share * evidence_m(moves[0])) moves.pop_back();
+  if (is_same_move(moves[0].at_robot, moves[1].at_robot) ||
+      evidence_m(moves[1]) < second_share * evidence_m(moves[0]))
+    moves.pop_back();
 }
 
 }  // namespace
+
+bool is_same_move(const PlanarPose& a, const PlanarPose& b) {
+  const PlanarPose apart = relative(a, b);
+  return apart.translation().norm() < kSame_m && std::abs(apart.yaw_rad) < kSame_rad;
+}
 
 Pose in_space(const PlanarPose& planar) {
   Pose pose = Pose::Identity();

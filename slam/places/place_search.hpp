@@ -47,6 +47,9 @@ struct PlaceMove {
   Agreement agreement;  ///< of the moved lines
 };
 
+/// Returns true if two moves, as seen from the robot, differ by less than a search can tell.
+bool is_same_move(const PlanarPose& a, const PlanarPose& b);
+
 /// The search for the place of some lines in a known scene.
 class PlaceSearch {
  public:

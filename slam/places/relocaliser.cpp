@@ -5,6 +5,7 @@
 #include <Eigen/Cholesky>
 #include <algorithm>
 #include <sstream>
+#include <utility>
 
 #include "slam/lines/line_adjustment.hpp"
 #include "slam/matching/planar_pose.hpp"
@@ -39,6 +40,7 @@ std::string text_of(const HistoryCost& before, const HistoryCost& after) {
 void Relocaliser::forget_lines() {
   finder_.forget_breaks();
   way_back_.reset();
+  proposal_.reset();
 }
 
 void Relocaliser::decide(Decision::Kind kind, const PosedLines& lines, const std::string& reason) {
@@ -110,18 +112,17 @@ PosedLines Relocaliser::history_with(const Candidate& candidate, const PosedLine
   return history;
 }
 
-/// Makes the move of least cost. Returns false if none costs less than no move.
-bool Relocaliser::choose(const Finding& finding, PosedLines& lines, const OdometryNoise& noise) {
-  const std::vector<Candidate> histories = candidates(finding, lines, noise);
-  if (histories.empty()) return false;
+/// Returns the history of least cost among some, if it costs less than the lines as they are.
+std::optional<Relocaliser::Choice> Relocaliser::best_of(const std::vector<Candidate>& histories,
+                                                        const Finding& finding,
+                                                        const PosedLines& lines,
+                                                        const OdometryNoise& noise) const {
   const EstimateConfig& config = settings_.estimate;
   const std::vector<std::uint32_t> compared = context_of(
       lines, {first_within(lines, config.relocaliser.query_s), lines.size()}, lines.size(), config);
   const HistoryCost before = history_cost(lines, compared, settings_);
   double least = before.total - settings_.registration.min_ribbons;  // one plane less
-  std::optional<PosedLines> best;
-  const Candidate* chosen = nullptr;
-  std::string figures;
+  std::optional<Choice> best;
   for (const Candidate& candidate : histories) {
     PosedLines history = history_with(candidate, lines, noise);
     const HistoryCost after = history_cost(history, compared, settings_);
@@ -130,19 +131,46 @@ bool Relocaliser::choose(const Finding& finding, PosedLines& lines, const Odomet
     const double total = after.total - (is_move ? finding.move->freed_m / before.ribbon_m : 0.0);
     // Known walls may be wrong themselves: what is seen through them moves nothing alone.
     if (after.total >= before.total || total >= least) continue;
-    least = total, best = std::move(history), chosen = &candidate;
-    figures = text_of(before, after);
+    least = total;
+    best = Choice{candidate, std::move(history), before, after};
   }
-  if (chosen == nullptr) return false;
-  lines = std::move(*best);
-  const bool is_found = chosen->kind == Decision::Kind::found;
-  decide(chosen->kind, lines, (is_found ? finding.move->evidence : finding.doubt) + "; " + figures);
-  finder_.forget_breaks();
-  way_back_.reset();
+  return best;
+}
+
+/// Returns true if the look before this one has chosen the same move.
+bool Relocaliser::is_found_again(const Candidate& candidate, const PosedLines& lines) {
+  const std::uint32_t last = lines.size() - 1;
+  const double since_s = 1.5 * settings_.estimate.window_step_s;
+  const std::optional<Proposal> before =
+      std::exchange(proposal_, Proposal{candidate.T_start_start, lines.stamp(last)});
+  if (!before || lines.stamp(last) - before->stamp > from_seconds(since_s)) return false;
+  const Pose T_start_base = lines.T_start_base(last);
+  return is_same_move(
+      planar(T_start_base.inverse(Eigen::Isometry) * before->T_start_start * T_start_base),
+      planar(T_start_base.inverse(Eigen::Isometry) * candidate.T_start_start * T_start_base));
+}
+
+/// Makes the move of least cost. Returns false if none costs less than no move. One that saves no
+/// plane is made when the next look finds it again: two corridors look alike at a glance.
+bool Relocaliser::choose(const Finding& finding, PosedLines& lines, const OdometryNoise& noise) {
+  const std::vector<Candidate> histories = candidates(finding, lines, noise);
+  if (histories.empty()) return false;
+  std::optional<Choice> choice = best_of(histories, finding, lines, noise);
+  if (!choice) return false;
+  const Candidate& chosen = choice->candidate;
+  const bool is_found = chosen.kind == Decision::Kind::found;
+  const bool saves_plane = choice->after.planes < choice->before.planes;
+  if (is_found && !saves_plane && !is_found_again(chosen, lines)) return false;
+  lines = std::move(choice->lines);
+  decide(chosen.kind, lines,
+         (is_found ? finding.move->evidence : finding.doubt) + "; " +
+             text_of(choice->before, choice->after));
+  forget_lines();
   if (!is_found) return true;
-  way_back_ = Candidate{chosen->T_start_start.inverse(Eigen::Isometry), chosen->seam, false,
+  way_back_ = Candidate{chosen.T_start_start.inverse(Eigen::Isometry), chosen.seam, false,
                         Decision::Kind::undone};
-  way_back_until_ = lines.stamp(lines.size() - 1) + from_seconds(config.relocaliser.probation_s);
+  way_back_until_ =
+      lines.stamp(lines.size() - 1) + from_seconds(settings_.estimate.relocaliser.probation_s);
   return true;
 }
 

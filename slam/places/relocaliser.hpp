@@ -45,11 +45,25 @@ class Relocaliser {
     bool is_slip;         // the odometry has failed within the seam
     Decision::Kind kind;  // if it is chosen
   };
+  /// A candidate that costs less than no move.
+  struct Choice {
+    Candidate candidate;
+    PosedLines lines;           // moved and adjusted
+    HistoryCost before, after;  // without it and with it
+  };
+  /// A move that was not made yet.
+  struct Proposal {
+    Pose T_start_start;
+    Time stamp;  // of the newest line
+  };
   double max_scale(const OdometryNoise& noise) const;
   std::vector<Candidate> candidates(const Finding& finding, const PosedLines& lines,
                                     const OdometryNoise& noise) const;
   PosedLines history_with(const Candidate& candidate, const PosedLines& lines,
                           const OdometryNoise& noise) const;
+  std::optional<Choice> best_of(const std::vector<Candidate>& histories, const Finding& finding,
+                                const PosedLines& lines, const OdometryNoise& noise) const;
+  bool is_found_again(const Candidate& candidate, const PosedLines& lines);
   bool choose(const Finding& finding, PosedLines& lines, const OdometryNoise& noise);
   void decide(Decision::Kind kind, const PosedLines& lines, const std::string& reason);
 
@@ -57,6 +71,7 @@ class Relocaliser {
   MoveFinder finder_;
   std::optional<Candidate> way_back_;  // what takes the last move back
   Time way_back_until_{0};
+  std::optional<Proposal> proposal_;
   bool is_lost_ = false;
   std::vector<Decision> decisions_;
 };
