@@ -96,7 +96,8 @@ void MoveFinder::open_break(const PosedLines& lines, const LineRange& newest, co
   const bool is_contradicted = is_contradiction(now, config);
   if (is_known && !breaks_.empty()) breaks_.back().is_settled = true;
   if (is_known) return;
-  const std::optional<std::uint32_t> strained = newly_strained(lines);
+  std::optional<std::uint32_t> strained;  // a contradiction by known walls tells where by itself
+  if (!is_contradicted) strained = newly_strained(lines);
   if (!strained && !breaks_.empty() && !breaks_.back().is_settled) {
     if (!is_contradicted || breaks_.back().tear) return;
   }

@@ -77,11 +77,15 @@ std::vector<Relocaliser::Candidate> Relocaliser::candidates(const Finding& findi
   const Pose& T = finding.move->T_start_start;
   const Seam& seam = finding.move->seam;
   const double max_sigmas = settings_.estimate.relocaliser.drift_sigmas;
-  const auto add_slip = [&](const Seam& where) {
+  const auto add_slip = [&](const Seam& where, double lead = 0.0) {
     if (!may_slip(where, T, lines, max_sigmas)) return;
-    candidates.push_back({T, where, true, Decision::Kind::found});
+    candidates.push_back({T, where, true, Decision::Kind::found, lead});
   };
-  if (const auto& tear = finding.move->tear) add_slip({*tear, *tear});
+  // That known walls stood before what was in view is evidence of its own: another place must save
+  // a plane.
+  if (const auto& tear = finding.move->tear) {
+    add_slip({*tear, *tear}, settings_.registration.min_ribbons);
+  }
   if (lines.seconds_between(seam.first, seam.end) < kShortSeam_s) {
     add_slip(seam);
     return candidates;
@@ -131,7 +135,7 @@ std::optional<Relocaliser::Choice> Relocaliser::best_of(const std::vector<Candid
     const double total = after.total - (is_move ? finding.move->freed_m / before.ribbon_m : 0.0);
     // Known walls may be wrong themselves: what is seen through them moves nothing alone.
     if (after.total >= before.total || total >= least) continue;
-    least = total;
+    least = total - candidate.lead;
     best = Choice{candidate, std::move(history), before, after};
   }
   return best;

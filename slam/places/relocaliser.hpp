@@ -44,6 +44,7 @@ class Relocaliser {
     Seam seam;            // before it, lines stay; in it, they are moved in part
     bool is_slip;         // the odometry has failed within the seam
     Decision::Kind kind;  // if it is chosen
+    double lead = 0.0;    // the cost that later candidates must save beyond it
   };
   /// A candidate that costs less than no move.
   struct Choice {
