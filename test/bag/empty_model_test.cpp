@@ -60,6 +60,7 @@ TEST(EmptyModel, ABagThatTheLoadedModelHasAlreadyIsAnError) {
     model_bags(options, [](const Progress&) {});
     ADD_FAILURE() << "modelled";
   } catch (const std::runtime_error& error) {
+    EXPECT_THAT(error.what(), HasSubstr("the bags add nothing to the model that was loaded"));
     EXPECT_THAT(error.what(), HasSubstr("475 x older than the loaded model"));
   }
   options.bags.clear();

@@ -53,7 +53,7 @@ TEST_F(Lasers, NoReturnReportedAsADistanceIsAWarningWithItsShare) {
     const std::string text =
         check([&](int, sensor_msgs::LaserScan& scan) { without_return(scan, value); });
     EXPECT_THAT(text, HasSubstr(" % of the ranges have one value, "));
-    EXPECT_THAT(text, HasSubstr("and 1 plane\n"));
+    EXPECT_THAT(text, HasSubstr("and 1 plane with the poses as recorded\n"));
     EXPECT_THAT(text, HasSubstr("can be mapped, but see 1 warning"));
   }
 }
@@ -62,7 +62,7 @@ TEST_F(Lasers, NoReturnAsRep117HasItIsNoWarning) {
   for (const float value : {INFINITY, -INFINITY, NAN, 0.0F}) {
     const std::string text =
         check([&](int, sensor_msgs::LaserScan& scan) { without_return(scan, value); });
-    EXPECT_THAT(text, HasSubstr("and 1 plane\n"));
+    EXPECT_THAT(text, HasSubstr("and 1 plane with the poses as recorded\n"));
     EXPECT_THAT(text, HasSubstr("VERDICT  this can be mapped\n"));
   }
 }
@@ -87,7 +87,7 @@ TEST_F(Lasers, OfAnyNumberOfBeamsMakeThePlane) {
     scan.angle_max = scan.angle_min + static_cast<float>(count - 1) * scan.angle_increment;
   });
   EXPECT_THAT(text, HasSubstr("200 scans of 185 to 201 beams"));
-  EXPECT_THAT(text, HasSubstr("and 1 plane\n"));
+  EXPECT_THAT(text, HasSubstr("and 1 plane with the poses as recorded\n"));
   EXPECT_THAT(text, HasSubstr("VERDICT  this can be mapped\n"));
 }
 

@@ -65,21 +65,6 @@ TEST(Load, TakesACorrectionAsIfTheModelHadNeverLeftMemory) {
   EXPECT_EQ(whole.model_file, loaded.model_file);
 }
 
-TEST(Load, TakesFromABagWhatIsLaterThanTheModel) {
-  const TemporaryDirectory directory;
-  const OfflineRun whole = run_of_room();
-  OfflineOptions options = loading(whole, directory.path());
-  options.bags = {kRoom};
-  options.config = PROJECT_DIR "/config/pr2.yaml";
-  const OfflineRun again = run(options);
-  EXPECT_EQ(again.summary.dropped_lines.at("older than the loaded model") +
-                again.summary.handled_lines.at("no returns"),
-            480u);
-  EXPECT_THAT(summary_text(again.summary),
-              HasSubstr("  the last of these: older than the loaded model\n"));
-  EXPECT_EQ(planes_to_json(whole.planes_after), planes_to_json(again.planes_after));
-}
-
 TEST(Load, SaysWhatDiffers) {
   const TemporaryDirectory directory;
   OfflineOptions options = loading(run_of_room(), directory.path());

@@ -79,17 +79,10 @@ def offered_by_rosrun(env):
 
 
 def starts(program, env, folder):
-    """Returns whether a program prints its usage, or gets as far as looking for a ROS master."""
-    with subprocess.Popen([str(program), '--help'], env=env, cwd=folder, stdout=subprocess.PIPE,
-                          stderr=subprocess.STDOUT, text=True) as process:
-        for line in process.stdout:
-            if 'Failed to contact master' in line:
-                process.kill()
-                return True
-            if line.startswith('Usage:'):
-                process.stdout.read()
-                return process.wait() == 0
-    return False
+    """Returns whether a program, or a node, says what it is."""
+    said = subprocess.run([str(program), '--help'], env=env, cwd=folder, stdout=subprocess.PIPE,
+                          stderr=subprocess.STDOUT, text=True)
+    return said.returncode == 0 and ('Usage:' in said.stdout or 'a node of ROS' in said.stdout)
 
 
 class Installed(unittest.TestCase):
@@ -163,7 +156,8 @@ class Installed(unittest.TestCase):
 
     def test_launch_files_load(self):
         for path in sorted((self.share / 'launch').glob('*.launch')):
-            nodes = self.run_elsewhere('roslaunch', 'ribbon_mapper', path.name, '--nodes')
+            bag = ['bag:=a.bag'] if path.name == 'pr2_replay.launch' else []
+            nodes = self.run_elsewhere('roslaunch', 'ribbon_mapper', path.name, *bag, '--nodes')
             self.assertIn('/', nodes, path)
 
     # The files have names that the source folder lacks: it cannot help out.

@@ -133,7 +133,7 @@ class RvizTest(unittest.TestCase):
 
     def test_no_launch_file_is_forgotten(self):
         starting = {pathlib.Path(file).stem for file in glob.glob(launch_file('*'))
-                    if 'name="rviz"' in pathlib.Path(file).read_text() and rviz_node(file, [])}
+                    if 'name="rviz"' in pathlib.Path(file).read_text() and rviz_node(file, ['bag:=a.bag'])}
         self.assertEqual(starting, set(CASES))
 
 

@@ -98,9 +98,14 @@ void require_ribbons(const ModelKeeper& keeper, const OfflineOptions& options,
                      const OfflineSummary& summary) {
   const LineLog& log = keeper.log();
   const bool is_added = log.handled_by_outcome().count(to_string(LineResult::modelled)) > 0;
-  if (keeper.modeler().statistics().ribbons > 0 && (is_added || options.bags.empty())) return;
-  std::string why =
-      "no line could be modelled of " + std::to_string(log.lines()) + ": " + why_no_ribbons(log);
+  const bool is_empty = keeper.modeler().statistics().ribbons == 0;
+  if (!is_empty && (is_added || options.bags.empty())) return;
+  std::string why = is_empty
+                        ? "no line could be modelled of " + std::to_string(log.lines()) + ": " +
+                              why_no_ribbons(log)
+                        : "the bags add nothing to the model that was loaded: leave them out, or "
+                          "give later ones. Of " +
+                              std::to_string(log.lines()) + " lines:";
   for (const auto& [reason, count] : log.dropped_by_reason()) {
     why += "\n  " + std::to_string(count) + " x " + reason;
   }
