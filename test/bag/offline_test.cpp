@@ -22,8 +22,10 @@ namespace ribbon_mapper {
 namespace {
 
 namespace fs = std::filesystem;
+using testing::AllOf;
 using testing::HasSubstr;
 using testing::Not;
+using testing::ThrowsMessage;
 
 const fs::path kRoom = PROJECT_DIR "/test/data/small_room.bag";
 const fs::path kRoomTruth = PROJECT_DIR "/test/data/small_room.tum";
@@ -202,14 +204,11 @@ TEST(Offline, ABagWithoutPosesSaysWhatIsMissing) {
   options.config = PROJECT_DIR "/config/pr2.yaml";
   options.bag.tf_drop_frames = {"map"};
   options.bag.named_frames.map = true;
-  try {
-    model_bags(options, [](const Progress&) {});
-    ADD_FAILURE() << "modelled";
-  } catch (const std::runtime_error& error) {
-    EXPECT_THAT(error.what(), HasSubstr("480 x frame map is not in tf"));
-    EXPECT_THAT(error.what(), HasSubstr("but odom_combined -> base_footprint -> "));
-    EXPECT_THAT(error.what(), HasSubstr("set --map-frame"));
-  }
+  EXPECT_THAT(
+      [&] { model_bags(options, [](const Progress&) {}); },
+      ThrowsMessage<std::runtime_error>(AllOf(HasSubstr("480 x frame map is not in tf"),
+                                              HasSubstr("but odom_combined -> base_footprint -> "),
+                                              HasSubstr("set --map-frame"))));
 }
 
 struct Drift {

@@ -25,16 +25,22 @@ def shipped(pattern):
     return files
 
 
+def required_by(launch_file):
+    return REQUIRED.get(os.path.basename(launch_file), [])
+
+
 def loaded(launch_file, arguments=()):
+    """Returns a launch file's configuration. What it requires is given unless `arguments` have it."""
     config = roslaunch.config.ROSLaunchConfig()
-    roslaunch.xmlloader.XmlLoader().load(launch_file, config, argv=list(arguments), verbose=False)
+    arguments = required_by(launch_file) + list(arguments)
+    roslaunch.xmlloader.XmlLoader().load(launch_file, config, argv=arguments, verbose=False)
     return config
 
 
 class Files(unittest.TestCase):
     def test_launch_files(self):
         for file in shipped('launch/*.launch'):
-            config = loaded(file, REQUIRED.get(os.path.basename(file), []))
+            config = loaded(file)
             self.assertTrue(config.nodes, file)
             self.assertFalse(config.config_errors, file)
             for node in config.nodes:
@@ -61,7 +67,7 @@ class Files(unittest.TestCase):
         for file in shipped('launch/*.launch'):
             arguments = roslaunch.arg_dump.get_args([file])
             self.assertTrue(arguments, file)
-            required = [argument.split(':=')[0] for argument in REQUIRED.get(os.path.basename(file), [])]
+            required = [argument.split(':=')[0] for argument in required_by(file)]
             for name, (doc, default) in arguments.items():
                 self.assertTrue(doc, f'{file}: {name} is undocumented')
                 self.assertEqual(default is None, name in required, f'{file}: {name}')
@@ -90,8 +96,7 @@ class Files(unittest.TestCase):
         for file in shipped('launch/*.launch'):
             arguments = roslaunch.arg_dump.get_args([file])
             if 'mesh_formats' in arguments:
-                given = loaded(file, ['mesh_formats:=glb', 'map_period:=3'] +
-                               REQUIRED.get(os.path.basename(file), [])).params
+                given = loaded(file, ['mesh_formats:=glb', 'map_period:=3']).params
                 self.assertEqual(given['/modeler/mesh_formats'].value, 'glb', file)
                 self.assertEqual(given['/modeler/map_period'].value, 3.0, file)
 
