@@ -141,8 +141,8 @@ std::optional<Relocaliser::Choice> Relocaliser::best_of(const std::vector<Candid
   return best;
 }
 
-/// Returns true if the look before this one has chosen the same move.
-bool Relocaliser::is_found_again(const Candidate& candidate, const PosedLines& lines) {
+/// Keeps a move as this look's proposal. Returns true if the look before has proposed the same.
+bool Relocaliser::propose(const Candidate& candidate, const PosedLines& lines) {
   const std::uint32_t last = lines.size() - 1;
   const double since_s = 1.5 * settings_.estimate.window_step_s;
   const std::optional<Proposal> before =
@@ -164,7 +164,7 @@ bool Relocaliser::choose(const Finding& finding, PosedLines& lines, const Odomet
   const Candidate& chosen = choice->candidate;
   const bool is_found = chosen.kind == Decision::Kind::found;
   const bool saves_plane = choice->after.planes < choice->before.planes;
-  if (is_found && !saves_plane && !is_found_again(chosen, lines)) return false;
+  if (is_found && !saves_plane && !propose(chosen, lines)) return false;
   lines = std::move(choice->lines);
   decide(chosen.kind, lines,
          (is_found ? finding.move->evidence : finding.doubt) + "; " +

@@ -64,7 +64,7 @@ class Relocaliser {
                           const OdometryNoise& noise) const;
   std::optional<Choice> best_of(const std::vector<Candidate>& histories, const Finding& finding,
                                 const PosedLines& lines, const OdometryNoise& noise) const;
-  bool is_found_again(const Candidate& candidate, const PosedLines& lines);
+  bool propose(const Candidate& candidate, const PosedLines& lines);
   bool choose(const Finding& finding, PosedLines& lines, const OdometryNoise& noise);
   void decide(Decision::Kind kind, const PosedLines& lines, const std::string& reason);
 
