@@ -14,7 +14,7 @@ from tf2_msgs.msg import TFMessage
 
 from diagnostics import Diagnostics
 from robot_before_a_wall import OdometryRobot
-from waiting import Latest, eventually, service
+from waiting import Latest, close_and_get_path, eventually, service
 
 LINES = 200  # 5 s, with a window
 
@@ -60,11 +60,9 @@ class SlamRestart(unittest.TestCase):
         return first
 
     def close_and_get(self):
-        before = len(self.paths.messages)
-        answer = self.close()
+        answer, path = close_and_get_path(self.close, self.paths)
         self.assertTrue(answer.success, answer.message)
-        self.assertTrue(eventually(lambda: len(self.paths.messages) > before))
-        return self.paths.newest().poses
+        return path.poses
 
     def test_close_without_lines(self):
         answer = self.close()

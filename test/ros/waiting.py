@@ -54,6 +54,20 @@ class Latest:
         return self.messages[-1]
 
 
+def close_and_get_path(close, paths):
+    """Returns the answer of slam/close and the path that it published, or None if it refused.
+    The path has as many poses as the answer says: one that was published before may come later."""
+    before = len(paths.messages)
+    answer = close()
+    if not answer.success:
+        return answer, None
+    poses = int(answer.message.split()[0])
+    path = eventually(lambda: next((p for p in paths.messages[before:] if len(p.poses) == poses),
+                                   None))
+    assert path, 'no path of %d poses' % poses
+    return answer, path
+
+
 class SimulatedClock:
     """A /clock that stands still between two settings."""
 
