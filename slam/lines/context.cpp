@@ -21,15 +21,21 @@ std::uint32_t first_within(const PosedLines& lines, double seconds) {
   return first;
 }
 
-std::vector<std::uint32_t> context_of(const PosedLines& lines, const LineRange& range,
-                                      std::uint32_t end, const EstimateConfig& config) {
+std::vector<Eigen::Vector3d> places_of(const PosedLines& lines, const LineRange& range,
+                                       const Pose& T_start_start) {
   std::vector<Eigen::Vector3d> places;
   for (std::uint32_t i = range.first; i < range.end; i += kLinesOfPlace) {
-    places.push_back(lines.T_start_base(i).translation());
+    places.push_back(T_start_start * lines.T_start_base(i).translation());
   }
+  return places;
+}
+
+std::vector<std::uint32_t> lines_near(const std::vector<Eigen::Vector3d>& places, double radius_m,
+                                      const PosedLines& lines, std::uint32_t end,
+                                      const EstimateConfig& config) {
   const auto is_near = [&](const Eigen::Vector3d& place) {
     return std::any_of(places.begin(), places.end(), [&](const Eigen::Vector3d& other) {
-      return (place - other).squaredNorm() < square(config.context_radius_m);
+      return (place - other).squaredNorm() < square(radius_m);
     });
   };
   std::vector<std::uint32_t> near;
@@ -42,6 +48,11 @@ std::vector<std::uint32_t> context_of(const PosedLines& lines, const LineRange& 
   for (std::size_t i = 0; i < most; ++i) near[i] = near[i * near.size() / most];
   near.resize(most);
   return near;
+}
+
+std::vector<std::uint32_t> context_of(const PosedLines& lines, const LineRange& range,
+                                      std::uint32_t end, const EstimateConfig& config) {
+  return lines_near(places_of(lines, range), config.context_radius_m, lines, end, config);
 }
 
 }  // namespace ribbon_mapper::slam

@@ -19,8 +19,18 @@ struct LineRange {
 /// Returns the first line, but not line 0, that is younger than `seconds` at the newest line.
 std::uint32_t first_within(const PosedLines& lines, double seconds);
 
+/// Returns where the robot was in a range, if its lines were moved by `T_start_start` [m].
+std::vector<Eigen::Vector3d> places_of(const PosedLines& lines, const LineRange& range,
+                                       const Pose& T_start_start = Pose::Identity());
+
+/// Returns the lines before `end` within `radius_m` of some places, ascending: at most
+/// EstimateConfig::max_context_lines.
+std::vector<std::uint32_t> lines_near(const std::vector<Eigen::Vector3d>& places, double radius_m,
+                                      const PosedLines& lines, std::uint32_t end,
+                                      const EstimateConfig& config);
+
 /// Returns the lines before `end` from near a range, ascending: see
-/// EstimateConfig::context_radius_m and max_context_lines.
+/// EstimateConfig::context_radius_m.
 std::vector<std::uint32_t> context_of(const PosedLines& lines, const LineRange& range,
                                       std::uint32_t end, const EstimateConfig& config);
 

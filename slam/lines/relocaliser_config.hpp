@@ -28,10 +28,11 @@ struct RelocaliserConfig {
   double drift_sigmas = 3.0;
 
   // Moves below these are not tried. Lower values cost time: the cost of the histories decides.
-  double least_score = 0.3;   ///< share of the points on known walls, in the plan
-  double least_known = 0.5;   ///< share of what is in view that is known after a move: most of it
-  double least_gain = 0.1;    ///< the same, less what is known without the move
-  double second_share = 0.9;  ///< a move is not clear if another one scores so much of it
+  double least_score = 0.3;  ///< share of the points on known walls, in the plan
+  double least_known = 0.5;  ///< share of what is in view that is known after a move: most of it
+  double least_known_again = 0.3;  ///< the same, if the look before has found the move as well
+  double least_gain = 0.1;         ///< the same, less what is known without the move
+  double second_share = 0.9;       ///< a move is not clear if another one scores so much of it
 
   /// Time in which a move may turn out wrong [s]: by then the robot has seen a room.
   double probation_s = 60.0;

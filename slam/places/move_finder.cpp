@@ -6,6 +6,7 @@
 #include <cmath>
 #include <iomanip>
 #include <sstream>
+#include <utility>
 
 #include "modeler/geometry/angles.hpp"
 
@@ -37,6 +38,19 @@ bool is_contradiction(const Agreement& agreement, const RelocaliserConfig& confi
   return agreement.pierced() >= config.pierced_share && agreement.known() < config.least_known;
 }
 
+/// Returns true if lines are on known ground after a move, and clearly more than before it.
+bool is_clear_gain(const Agreement& before, const Agreement& after, double least_known,
+                   const RelocaliserConfig& config) {
+  return after.known() >= least_known &&
+         after.evidence_m() - before.evidence_m() >= config.least_gain * after.seen_m;
+}
+
+/// Returns true if a move is to be preferred to another one.
+bool is_better(const FoundMove& move, const FoundMove& other) {
+  if (move.is_partial != other.is_partial) return other.is_partial;
+  return move.gain_m > other.gain_m;
+}
+
 /// Returns the lines from `first` on within a time, and before `end`.
 LineRange lines_within(double seconds, const PosedLines& lines, std::uint32_t first,
                        std::uint32_t end) {
@@ -54,6 +68,7 @@ Agreement MoveFinder::agreement(const PosedLines& lines, const LineRange& range,
 
 Finding MoveFinder::find(const PosedLines& lines, double tracked_share, double max_scale) {
   finding_ = {};
+  found_before_ = std::exchange(found_, {});
   max_scale_ = max_scale;
   const LineRange newest{first_within(lines, settings_.estimate.relocaliser.query_s), lines.size()};
   if (newest.first < 2) return finding_;
@@ -83,7 +98,7 @@ void MoveFinder::look_at_recent(const PosedLines& lines, const LineRange& newest
   const bool is_asked_for_break =
       breaks_.empty() || breaks_.back().line >= newest.first || breaks_.back().tear.has_value();
   if (!is_asked_for_break) {
-    ask({newest, newest.first, unmoved}, lines, scene);
+    ask({newest, newest.first, unmoved, std::nullopt}, lines, scene);
   }
 }
 
@@ -133,7 +148,16 @@ std::optional<std::uint32_t> MoveFinder::last_tear_before(std::uint32_t line) co
   return torn != breaks_.rend() ? torn->tear : std::nullopt;
 }
 
-/// Returns what was known before a break near the newest line.
+/// Returns how far from where it seems to be the newest line may be after a slip at the tear.
+double MoveFinder::reach_m(const Break& torn, const PosedLines& lines) const {
+  if (!torn.tear) return 0.0;
+  const Eigen::Vector3d from = lines.T_start_base(*torn.tear).translation(),
+                        to = lines.T_start_base(lines.size() - 1).translation();
+  const double angle_rad = settings_.estimate.relocaliser.angle_deg * kDegree;
+  return 2.0 * std::sin(0.5 * angle_rad) * (to - from).norm();
+}
+
+/// Returns what was known before a break near the newest line, or where a slip would put it.
 const KnownScene& MoveFinder::scene_before(Break& torn, const PosedLines& lines) const {
   const EstimateConfig& config = settings_.estimate;
   const std::uint32_t last = lines.size() - 1;
@@ -141,7 +165,9 @@ const KnownScene& MoveFinder::scene_before(Break& torn, const PosedLines& lines)
   // Poses hardly change any more when they have left the window.
   const bool is_final = lines.seconds_between(torn.line, last) > 2.0 * config.window_s;
   if (!is_final || !torn.scene || (here - torn.centre).norm() > kSameScene_m) {
-    torn.scene.emplace(lines, context_of(lines, {last, lines.size()}, torn.line, config),
+    torn.scene.emplace(lines,
+                       lines_near({here}, config.context_radius_m + reach_m(torn, lines), lines,
+                                  torn.line, config),
                        settings_);
     torn.centre = here;
   }
@@ -159,9 +185,10 @@ bool MoveFinder::search_before(Break& torn, const PosedLines& lines, const LineR
   const bool is_back =
       torn.is_left && now.known() >= config.least_known && now.pierced() < config.pierced_share;
   if (is_back || is_known_ground(now, config)) return true;
-  ask({range, torn.line, now}, lines, scene);
+  ask({range, torn.line, now, torn.tear}, lines, scene);
   if (const auto behind = range_behind(torn, lines, scene)) {
-    ask({*behind, torn.line, agreement(lines, *behind, Pose::Identity(), scene)}, lines, scene);
+    ask({*behind, torn.line, agreement(lines, *behind, Pose::Identity(), scene), torn.tear}, lines,
+        scene);
   }
   return false;
 }
@@ -193,12 +220,34 @@ void MoveFinder::ask(const Question& question, const PosedLines& lines, const Kn
   }
   const PlaceSearch search(lines, question.range, scene, settings_.estimate);
   const auto search_about = [&](std::uint32_t pivot_line) {
-    const std::vector<PlaceMove> moves = search.moves_about(pivot_line);
+    std::vector<PlaceMove> moves = search.moves_about(pivot_line);
+    for (const PlaceMove& move : moves) {
+      if (is_clear_gain(now, move.agreement, config.least_known_again, config))
+        found_.push_back(move.T_start_start);
+    }
+    tell_apart(moves, lines);
     if (!moves.empty()) judge(question, moves, lines, scene);
   };
   search_about(question.range.end - 1);
   // A slip a long way back has moved the newest lines farther than the window is wide.
-  if (is_contradiction(now, config)) search_about(question.torn_from);
+  if (question.tear || is_contradiction(now, config)) {
+    search_about(question.tear.value_or(question.torn_from));
+  }
+}
+
+bool MoveFinder::was_found_before(const PlaceMove& move, const PosedLines& lines) const {
+  const Pose T_start_base = lines.T_start_base(lines.size() - 1);
+  return std::any_of(found_before_.begin(), found_before_.end(), [&](const Pose& before) {
+    return is_same_move(before, move.T_start_start, T_start_base);
+  });
+}
+
+/// Leaves out the one of two moves that the look before has not found, if it has found the other.
+void MoveFinder::tell_apart(std::vector<PlaceMove>& moves, const PosedLines& lines) const {
+  if (moves.size() < 2) return;
+  const bool is_first_known = was_found_before(moves[0], lines);
+  if (is_first_known == was_found_before(moves[1], lines)) return;
+  moves.erase(is_first_known ? moves.begin() + 1 : moves.begin());
 }
 
 void MoveFinder::judge(const Question& question, const std::vector<PlaceMove>& moves,
@@ -208,19 +257,17 @@ void MoveFinder::judge(const Question& question, const std::vector<PlaceMove>& m
   const AssociationGates& gates = settings_.estimate.gates.front();
   const PlaceMove& move = moves.front();
   const Agreement& moved = move.agreement;
-  const double gain_m = moved.evidence_m() - now.evidence_m();
-  const auto is_clear_gain = [&](const Agreement& before, const Agreement& after) {
-    return after.known() >= config.least_known &&
-           after.evidence_m() - before.evidence_m() >= config.least_gain * after.seen_m;
-  };
-  if (!is_clear_gain(now, moved)) return;
+  // Where a robot has lost its way, most of what it sees may be new.
+  const double least =
+      was_found_before(move, lines) ? config.least_known_again : config.least_known;
+  if (!is_clear_gain(now, moved, least, config)) return;
   if (moved.pierced() > std::max(config.pierced_share, now.pierced())) return;
   const Seam seam =
       seam_of(lines, {question.torn_from, question.range.end}, move.T_start_start, scene, gates);
   const LineRange behind = lines_within(0.5 * config.query_s, lines, seam.end, question.range.end);
   if (behind.first == behind.end ||
       !is_clear_gain(agreement(lines, behind, Pose::Identity(), scene),
-                     agreement(lines, behind, move.T_start_start, scene))) {
+                     agreement(lines, behind, move.T_start_start, scene), least, config)) {
     return;  // it is no tear: the lines behind it fit where they are
   }
   finding_.doubt = text_of(now) + "; after " + text_of(move) + ", " + text_of(moved);
@@ -228,14 +275,15 @@ void MoveFinder::judge(const Question& question, const std::vector<PlaceMove>& m
     finding_.doubt += "; another move fits nearly as well";
     return;
   }
-  if (finding_.move && finding_.move->gain_m >= gain_m) return;
-  finding_.move = FoundMove{move.T_start_start,
-                            seam,
-                            last_seen(lines, question.range, move.T_start_start, scene, gates),
-                            gain_m,
-                            now.pierced_m - moved.pierced_m,
-                            last_tear_before(seam.first),
-                            finding_.doubt};
+  FoundMove found{move.T_start_start,
+                  seam,
+                  last_seen(lines, question.range, move.T_start_start, scene, gates),
+                  moved.evidence_m() - now.evidence_m(),
+                  moved.known() < config.least_known,
+                  now.pierced_m - moved.pierced_m,
+                  last_tear_before(seam.first),
+                  finding_.doubt};
+  if (!finding_.move || is_better(found, *finding_.move)) finding_.move = std::move(found);
 }
 
 }  // namespace ribbon_mapper::slam

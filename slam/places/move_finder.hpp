@@ -17,6 +17,7 @@ struct FoundMove {
   Seam seam;                ///< where lines cease to fit unmoved
   std::uint32_t last_seen;  ///< line that saw the known walls for the last time
   double gain_m;            ///< length of ribbons that it makes known
+  bool is_partial;          ///< most of what is in view stays unknown
   double freed_m;           ///< length of ribbons that are no longer seen through known walls
   /// The line before the seam where known walls began to contradict what was in view, and no move
   /// was found, if there is one.
@@ -35,7 +36,8 @@ struct Finding {
 /// Their walls are compared with those that older lines know. Where the known ones end, a *break*
 /// begins: the robot is on new ground, or its odometry has failed. As long as a break is open, each
 /// call searches for a move of the newest lines onto what was known before the break. A break is
-/// closed when what was known before it is seen again where it is expected.
+/// closed when what was known before it is seen again where it is expected. What the call before
+/// has found tells two moves apart, and makes up for walls that are new.
 class MoveFinder {
  public:
   /// Starts on known ground.
@@ -47,7 +49,7 @@ class MoveFinder {
   Finding find(const PosedLines& lines, double tracked_share, double max_scale);
 
   /// Closes all breaks: after a move, or when lines are gone.
-  void forget_breaks() { breaks_.clear(); }
+  void forget_breaks() { breaks_.clear(), found_.clear(); }
 
  private:
   /// Where known ground ended.
@@ -63,7 +65,8 @@ class MoveFinder {
   struct Question {
     LineRange range;
     std::uint32_t torn_from;
-    Agreement unmoved;  // where the lines are
+    Agreement unmoved;                  // where the lines are
+    std::optional<std::uint32_t> tear;  // where known walls began to stand before what was in view
   };
 
   void look_at_recent(const PosedLines& lines, const LineRange& newest, double tracked_share);
@@ -71,6 +74,7 @@ class MoveFinder {
                   const KnownScene& scene);
   std::optional<std::uint32_t> newly_strained(const PosedLines& lines) const;
   std::optional<std::uint32_t> last_tear_before(std::uint32_t line) const;
+  double reach_m(const Break& torn, const PosedLines& lines) const;
   const KnownScene& scene_before(Break& torn, const PosedLines& lines) const;
   bool search_before(Break& torn, const PosedLines& lines, const LineRange& newest);
   std::optional<LineRange> range_behind(const Break& torn, const PosedLines& lines,
@@ -78,6 +82,8 @@ class MoveFinder {
   Agreement agreement(const PosedLines& lines, const LineRange& range, const Pose& T_start_start,
                       const KnownScene& scene) const;
   void ask(const Question& question, const PosedLines& lines, const KnownScene& scene);
+  bool was_found_before(const PlaceMove& move, const PosedLines& lines) const;
+  void tell_apart(std::vector<PlaceMove>& moves, const PosedLines& lines) const;
   void judge(const Question& question, const std::vector<PlaceMove>& moves, const PosedLines& lines,
              const KnownScene& scene);
 
@@ -85,7 +91,8 @@ class MoveFinder {
   std::vector<Break> breaks_;  // open ones, in their order
   Time doubted_until_{0};
   double max_scale_ = 0.0;
-  Finding finding_;  // of a call
+  Finding finding_;                         // of a call
+  std::vector<Pose> found_, found_before_;  // moves of this call and of the one before
 };
 
 }  // namespace ribbon_mapper::slam

@@ -51,6 +51,12 @@ bool is_same_move(const PlanarPose& a, const PlanarPose& b) {
   return apart.translation().norm() < kSame_m && std::abs(apart.yaw_rad) < kSame_rad;
 }
 
+bool is_same_move(const Pose& a, const Pose& b, const Pose& T_start_base) {
+  const Pose T_base_start = T_start_base.inverse(Eigen::Isometry);
+  return is_same_move(planar(T_base_start * a * T_start_base),
+                      planar(T_base_start * b * T_start_base));
+}
+
 Pose in_space(const PlanarPose& planar) {
   Pose pose = Pose::Identity();
   pose.linear() = Eigen::AngleAxisd(planar.yaw_rad, Eigen::Vector3d::UnitZ()).toRotationMatrix();

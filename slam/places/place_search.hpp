@@ -50,6 +50,9 @@ struct PlaceMove {
 /// Returns true if two moves, as seen from the robot, differ by less than a search can tell.
 bool is_same_move(const PlanarPose& a, const PlanarPose& b);
 
+/// Returns the same for moves in start, by what they do to a robot at `T_start_base`.
+bool is_same_move(const Pose& a, const Pose& b, const Pose& T_start_base);
+
 /// The search for the place of some lines in a known scene.
 class PlaceSearch {
  public:

@@ -28,6 +28,19 @@ bool may_slip(const Seam& seam, const Pose& T_start_start, const PosedLines& lin
   return error.dot(covariance.ldlt().solve(error)) <= max_sigmas * max_sigmas;
 }
 
+/// Returns the lines near the newest ones, where these are and where a move takes them.
+std::vector<std::uint32_t> compared_lines(const Finding& finding, const PosedLines& lines,
+                                          const EstimateConfig& config) {
+  const LineRange newest{first_within(lines, config.relocaliser.query_s), lines.size()};
+  std::vector<Eigen::Vector3d> places = places_of(lines, newest);
+  if (finding.move) {
+    const std::vector<Eigen::Vector3d> moved =
+        places_of(lines, newest, finding.move->T_start_start);
+    places.insert(places.end(), moved.begin(), moved.end());
+  }
+  return lines_near(places, config.context_radius_m, lines, lines.size(), config);
+}
+
 std::string text_of(const HistoryCost& before, const HistoryCost& after) {
   std::ostringstream text;
   text << after.planes << " planes and " << after.unexplained
@@ -122,8 +135,7 @@ std::optional<Relocaliser::Choice> Relocaliser::best_of(const std::vector<Candid
                                                         const PosedLines& lines,
                                                         const OdometryNoise& noise) const {
   const EstimateConfig& config = settings_.estimate;
-  const std::vector<std::uint32_t> compared = context_of(
-      lines, {first_within(lines, config.relocaliser.query_s), lines.size()}, lines.size(), config);
+  const std::vector<std::uint32_t> compared = compared_lines(finding, lines, config);
   const HistoryCost before = history_cost(lines, compared, settings_);
   double least = before.total - settings_.registration.min_ribbons;  // one plane less
   std::optional<Choice> best;
@@ -135,6 +147,10 @@ std::optional<Relocaliser::Choice> Relocaliser::best_of(const std::vector<Candid
     const double total = after.total - (is_move ? finding.move->freed_m / before.ribbon_m : 0.0);
     // Known walls may be wrong themselves: what is seen through them moves nothing alone.
     if (after.total >= before.total || total >= least) continue;
+    // New ground may look like known ground in part.
+    const bool explains_more =
+        after.planes < before.planes && after.unexplained <= before.unexplained;
+    if (is_move && finding.move->is_partial && !explains_more) continue;
     least = total - candidate.lead;
     best = Choice{candidate, std::move(history), before, after};
   }
@@ -148,10 +164,7 @@ bool Relocaliser::propose(const Candidate& candidate, const PosedLines& lines) {
   const std::optional<Proposal> before =
       std::exchange(proposal_, Proposal{candidate.T_start_start, lines.stamp(last)});
   if (!before || lines.stamp(last) - before->stamp > from_seconds(since_s)) return false;
-  const Pose T_start_base = lines.T_start_base(last);
-  return is_same_move(
-      planar(T_start_base.inverse(Eigen::Isometry) * before->T_start_start * T_start_base),
-      planar(T_start_base.inverse(Eigen::Isometry) * candidate.T_start_start * T_start_base));
+  return is_same_move(before->T_start_start, candidate.T_start_start, lines.T_start_base(last));
 }
 
 /// Makes the move of least cost. Returns false if none costs less than no move. One that saves no

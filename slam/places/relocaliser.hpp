@@ -19,7 +19,8 @@ namespace ribbon_mapper::slam {
 /// A move may have been made by a slip at one moment, or by drift since the place was seen for the
 /// last time. Each is tried, and the history of least cost is kept, see HistoryCost: with none of
 /// the moves if they save less than the cost of a plane. A move that saves ribbons alone is made
-/// when two looks find it. A move is taken back if the history without it costs less later.
+/// when two looks find it. One that leaves most of what is in view unknown has to explain more
+/// ribbons by fewer planes. A move is taken back if the history without it costs less later.
 class Relocaliser {
  public:
   /// Starts on known ground.

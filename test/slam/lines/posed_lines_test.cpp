@@ -6,6 +6,8 @@
 
 #include <array>
 
+#include "slam/lines/context.hpp"
+
 namespace ribbon_mapper::slam {
 namespace {
 
@@ -37,6 +39,25 @@ TEST(PosedLines, HaveTheRibbonsAndStepsOfTheirObservations) {
   EXPECT_TRUE(lines.step(0).isApprox(Pose::Identity()));
   EXPECT_TRUE(lines.step(2).isApprox(planar_pose(1.0, 0.0, 0.0)));
   EXPECT_DOUBLE_EQ(lines.seconds_between(0, 2), 0.002);
+}
+
+/// Line k is at k metres; of twenty in a row, one stands for all.
+TEST(LinesNear, AreThoseWithinARadiusOfPlacesAndBeforeTheEnd) {
+  Observations observations({});
+  for (int i = 0; i < 100; ++i) add_line(observations, 1);
+  PosedLines lines(observations);
+  while (lines.has_next()) lines.add_next();
+  for (std::uint32_t i = 0; i < 100; ++i) lines.set_pose(i, planar_pose(i, 0.0, 0.0));
+  const EstimateConfig config;
+  const auto near_10 = lines_near(places_of(lines, {10, 11}), 15.0, lines, 30, config);
+  ASSERT_EQ(near_10.size(), 30U);
+  EXPECT_EQ(near_10.front(), 0U);
+  EXPECT_EQ(near_10.back(), 29U);
+  const Pose move = planar_pose(70.0, 0.0, 0.0);
+  const auto near_80 = lines_near(places_of(lines, {10, 11}, move), 5.0, lines, 100, config);
+  ASSERT_EQ(near_80.size(), 20U);
+  EXPECT_EQ(near_80.front(), 80U);
+  EXPECT_TRUE(lines_near({}, 100.0, lines, 100, config).empty());
 }
 
 TEST(PosedLines, KeepTheirPosesWhenObservationsAreThinned) {

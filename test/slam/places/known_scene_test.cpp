@@ -115,6 +115,13 @@ TEST(PlaceSearch, FindsASlipThatWasMadeALongWayBefore) {
   EXPECT_LT(angle_of(rest), 0.01);
 }
 
+/// Far from the start, a small turn about it moves the robot a long way.
+TEST(PlaceSearch, ComparesMovesByWhatTheyDoToTheRobot) {
+  const Pose turn = in_space({0.0, 0.0, 0.02});
+  EXPECT_TRUE(is_same_move(turn, Pose::Identity(), Pose::Identity()));
+  EXPECT_FALSE(is_same_move(turn, Pose::Identity(), in_space({20.0, 0.0, 1.0})));
+}
+
 TEST(Seam, LiesWhereLinesAreTorn) {
   SeenRoom room;
   const std::vector<std::uint32_t> older(room.all.begin(), room.all.begin() + 120);
