@@ -48,7 +48,7 @@ ProgressCallback shown_by(ProgressBar& bar) {
 }
 
 void run_one(const ExperimentOptions& options) {
-  create_directory_for_files(options.output);  // fails before the tour rather than after it
+  const OutputDirectory directory(options.output);
   show_worlds(options.runs);
   Summary summary;
   {
@@ -114,7 +114,7 @@ void make_missing_runs(const ExperimentOptions& options, RunLog& log) {
 }
 
 void run_series(const ExperimentOptions& options) {
-  create_directory_for_files(options.output);
+  const OutputDirectory directory(options.output);
   RunLog log(options.output / "runs.jsonl");
   make_missing_runs(options, log);
   log.sort();
@@ -129,7 +129,7 @@ void run_series(const ExperimentOptions& options) {
 
 /// Learns the tolerances, writes a preset with them and prints the variances.
 void calibrate(const ExperimentOptions& options) {
-  create_directory_for_files(options.output);
+  const OutputDirectory directory(options.output);
   RunOptions run = options.runs.front();
   if (run.route.empty()) {
     run.route =

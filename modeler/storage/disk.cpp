@@ -101,6 +101,20 @@ void create_directory_for_files(const fs::path& directory) {
   if (error) fail_to_write(directory, error.value());
 }
 
+OutputDirectory::OutputDirectory(const fs::path& directory) {
+  std::error_code error;
+  const fs::path whole = (fs::absolute(directory, error) / "").parent_path();
+  for (fs::path path = whole; !fs::exists(path, error) && path.has_relative_path();
+       path = path.parent_path()) {
+    created_.push_back(path);
+  }
+  create_directory_for_files(directory);
+}
+
+OutputDirectory::~OutputDirectory() {
+  for (const fs::path& path : created_) ::rmdir(path.c_str());  // fails if there are files
+}
+
 Descriptor open_locked(const fs::path& path, int flags) {
   while (true) {
     Descriptor opened(::open(path.c_str(), flags | O_CLOEXEC, 0666));

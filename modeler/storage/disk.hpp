@@ -4,6 +4,7 @@
 
 #include <filesystem>
 #include <string>
+#include <vector>
 
 namespace ribbon_mapper {
 
@@ -33,6 +34,20 @@ std::filesystem::path directory_of(const std::filesystem::path& file);
 
 /// Creates a directory with its parents. Throws as fail_to_write().
 void create_directory_for_files(const std::filesystem::path& directory);
+
+/// A directory for files that are written at the end of a work. It is created before the work, so
+/// that a wrong name is found then.
+class OutputDirectory {
+ public:
+  /// Creates it with its parents. Throws as fail_to_write().
+  explicit OutputDirectory(const std::filesystem::path& directory);
+  ~OutputDirectory();  ///< removes what it has created and nobody has written to
+  OutputDirectory(const OutputDirectory&) = delete;
+  OutputDirectory& operator=(const OutputDirectory&) = delete;
+
+ private:
+  std::vector<std::filesystem::path> created_;  // the innermost first
+};
 
 /// Opens `path` with these flags of open() and locks it against other processes until the
 /// descriptor is closed. A crash releases the lock.

@@ -21,7 +21,7 @@ using Clock = std::chrono::steady_clock;
 
 void run(const slam::SlamOptions& options) {
   const Clock::time_point start = Clock::now();
-  create_directory_for_files(options.output);  // better now than after the work
+  const OutputDirectory directory(options.output);
   slam::SlamRun result;
   {
     ProgressBar bar;

@@ -102,5 +102,22 @@ TEST(AtomicFile, AFileInTheWayOfADirectoryIsReported) {
   EXPECT_NO_THROW(create_directory_for_files(directory.path() / "a" / "b"));
 }
 
+TEST(OutputDirectory, RemovesWhatItHasCreatedAndNobodyHasWrittenTo) {
+  const TemporaryDirectory directory;
+  create_directory_for_files(directory.path() / "old");
+  for (const char* name : {"old", "old/a", "new/a/b/", "new/../c"}) {
+    const OutputDirectory output(directory.path() / name);
+    EXPECT_TRUE(fs::is_directory(directory.path() / name));
+  }
+  EXPECT_TRUE(fs::is_directory(directory.path() / "old"));
+  EXPECT_EQ(directory.file_count(), 1U);
+  {
+    const OutputDirectory output(directory.path() / "new/a/b");
+    write_file_atomically(directory.path() / "new/a/file", "x");
+  }
+  EXPECT_TRUE(fs::exists(directory.path() / "new/a/file"));
+  EXPECT_FALSE(fs::exists(directory.path() / "new/a/b"));
+}
+
 }  // namespace
 }  // namespace ribbon_mapper

@@ -21,7 +21,7 @@ using Clock = std::chrono::steady_clock;
 
 void run(const OfflineOptions& options, const std::string& command) {
   const Clock::time_point start = Clock::now();
-  create_directory_for_files(options.output);  // better now than after the work
+  const OutputDirectory directory(options.output);
   OfflineRun run;
   {
     ProgressBar bar;
