@@ -40,6 +40,19 @@ TEST_P(PresetProposal, GivesABetterModelThanTheDefaults) {
   EXPECT_LT(*with.residual_m_median, 0.018);
 }
 
+TEST(RealRecordings, PlanesThatStandTwiceAreHintedAt) {
+  ros::Time::init();
+  OfflineOptions options;
+  options.bags = {PROJECT_DIR "/test/data/recordings/room_scan1.bag"};
+  const auto text = [&] {
+    return summary_text(model_bags(options, [](const Progress&) {}).summary);
+  };
+  EXPECT_THAT(text(),
+              testing::ContainsRegex("of [0-9]+ planes, [0-9]+ may stand twice: bag_check"));
+  options.config = PROJECT_DIR "/config/room_scan.yaml";
+  EXPECT_THAT(text(), testing::Not(testing::HasSubstr("stand twice")));
+}
+
 INSTANTIATE_TEST_SUITE_P(RealRecordings, PresetProposal,
                          testing::Values("room_240.bag", "room_scan1.bag"));
 

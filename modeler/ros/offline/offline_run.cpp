@@ -189,6 +189,10 @@ void describe(const ModelKeeper& keeper, const ModelerConfig& config, OfflineRun
   s.residual_m_median = median_residual_m(run.planes_after);
   const ModelStatistics statistics = keeper.modeler().statistics();
   if (statistics.no_return) s.notes.push_back(no_return_text(*statistics.no_return));
+  if (10 * s.duplicates > s.planes) {
+    s.notes.push_back("of " + counted(s.planes, "plane") + ", " + std::to_string(s.duplicates) +
+                      " may stand twice: bag_check looks for the cause");
+  }
   if (run.planes_after.empty()) {
     s.notes.push_back("no plane: " + why_no_planes(keeper.log(), statistics, config.assembly));
   }
