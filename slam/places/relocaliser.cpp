@@ -28,6 +28,12 @@ bool may_slip(const Seam& seam, const Pose& T_start_start, const PosedLines& lin
   return error.dot(covariance.ldlt().solve(error)) <= max_sigmas * max_sigmas;
 }
 
+/// Returns the distance that a move takes the robot where it begins [m].
+double distance_at(const Seam& seam, const Pose& T_start_start, const PosedLines& lines) {
+  const Eigen::Vector3d place = lines.T_start_base(seam.end).translation();
+  return (T_start_start * place - place).norm();
+}
+
 /// Returns the lines near the newest ones, where these are and where a move takes them.
 std::vector<std::uint32_t> compared_lines(const Finding& finding, const PosedLines& lines,
                                           const EstimateConfig& config) {
@@ -89,9 +95,10 @@ std::vector<Relocaliser::Candidate> Relocaliser::candidates(const Finding& findi
   if (!finding.move) return candidates;
   const Pose& T = finding.move->T_start_start;
   const Seam& seam = finding.move->seam;
-  const double max_sigmas = settings_.estimate.relocaliser.drift_sigmas;
+  const RelocaliserConfig& config = settings_.estimate.relocaliser;
   const auto add_slip = [&](const Seam& where, double lead = 0.0) {
-    if (!may_slip(where, T, lines, max_sigmas)) return;
+    if (distance_at(where, T, lines) > config.radius_m) return;
+    if (!may_slip(where, T, lines, config.drift_sigmas)) return;
     candidates.push_back({T, where, true, Decision::Kind::found, lead});
   };
   // That known walls stood before what was in view is evidence of its own: another place must save
