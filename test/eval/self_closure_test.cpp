@@ -22,6 +22,12 @@ Summary self_corrected(std::uint64_t seed, const std::string& odometry_faults,
   return make_run(run, [](const Progress&) {}).summary;
 }
 
+/// The robot was moved back to where it is.
+void expect_found(const Summary& summary) {
+  EXPECT_THAT(summary.estimate->report->decisions, testing::Contains(testing::HasSubstr("found")));
+  EXPECT_LT(summary.estimate->error.rmse_m, 0.03);
+}
+
 /// Here, a move of 0.9 m would put the first walls of a new room on those of an old one: a third of
 /// what is in view.
 TEST(SelfClosure, MovesNothingOntoParallelWalls) {
@@ -41,17 +47,14 @@ TEST(SelfClosure, MovesNothingOntoACorridorThatLooksAlike) {
 /// The odometry turns by 14 and by 6 degrees in a second each while the laser shows no wall; then,
 /// walls are within the gates of the fronts of pilasters.
 TEST(SelfClosure, NoticesThatWallsWereTakenForPilasters) {
-  const Summary summary = self_corrected(13, "", "worlds/ring_pilasters.sdf");
-  EXPECT_THAT(summary.estimate->report->decisions, testing::Contains(testing::HasSubstr("found")));
-  EXPECT_LT(summary.estimate->error.rmse_m, 0.03);
+  expect_found(self_corrected(13, "", "worlds/ring_pilasters.sdf"));
 }
 
 /// The slip happens in a room that was entered 20 s before. Found from the newest lines alone, it
 /// left those before them where they were.
 TEST(SelfClosure, FindsASlipInANewRoomFromItsBeginning) {
   const Summary summary = self_corrected(32, "slip=150:20");
-  EXPECT_THAT(summary.estimate->report->decisions, testing::Contains(testing::HasSubstr("found")));
-  EXPECT_LT(summary.estimate->error.rmse_m, 0.03);
+  expect_found(summary);
   EXPECT_EQ(summary.metrics.corrected.matched, 22U);
 }
 
@@ -59,33 +62,24 @@ TEST(SelfClosure, FindsASlipInANewRoomFromItsBeginning) {
 /// 87 s later, and belongs to the contradiction.
 TEST(SelfClosure, MovesAllThatCameAfterAContradiction) {
   const Summary summary = self_corrected(31, "shift=45:0.5");
-  EXPECT_THAT(summary.estimate->report->decisions, testing::Contains(testing::HasSubstr("found")));
-  EXPECT_LT(summary.estimate->error.rmse_m, 0.03);
+  expect_found(summary);
   EXPECT_EQ(summary.metrics.corrected.matched, 22U);
 }
 
 /// Most of what is in view after the push is new. Two looks in a row find a move that makes 36 % of
 /// it known.
-TEST(SelfClosure, FindsAPushAtTheDoorOfANewRoom) {
-  const Summary summary = self_corrected(44, "push=174:2");
-  EXPECT_THAT(summary.estimate->report->decisions, testing::Contains(testing::HasSubstr("found")));
-  EXPECT_LT(summary.estimate->error.rmse_m, 0.03);
-}
+TEST(SelfClosure, FindsAPushAtTheDoorOfANewRoom) { expect_found(self_corrected(44, "push=174:2")); }
 
 /// The robot was pushed while it turned into a new corridor, so nothing known is in view for 40 s.
 /// When it is, it lies 8 m from where it is expected.
 TEST(SelfClosure, ClosesALoopOverAPushALongWayBack) {
-  const Summary summary = self_corrected(49, "push=74:2");
-  EXPECT_THAT(summary.estimate->report->decisions, testing::Contains(testing::HasSubstr("found")));
-  EXPECT_LT(summary.estimate->error.rmse_m, 0.03);
+  expect_found(self_corrected(49, "push=74:2"));
 }
 
 /// Turned by 90 degrees, two thirds of the walls of a new room lie on those of a known one, 1.3 m
 /// away. But the robot would have jumped by 2.2 m where it was pushed.
 TEST(SelfClosure, MovesNothingFartherThanAPushGoes) {
-  const Summary summary = self_corrected(52, "push=143:2");
-  EXPECT_THAT(summary.estimate->report->decisions, testing::Contains(testing::HasSubstr("found")));
-  EXPECT_LT(summary.estimate->error.rmse_m, 0.03);
+  expect_found(self_corrected(52, "push=143:2"));
 }
 
 }  // namespace

@@ -69,7 +69,7 @@ class SlamNode(unittest.TestCase):
 
     def test_close_says_what_it_has_done(self):
         self.assertTrue(self.closed.success, self.closed.message)
-        self.assertIn('poses adjusted', self.closed.message)
+        self.assertIn('%d poses adjusted' % len(self.path.poses), self.closed.message)
         self.assertIn('/corrected_trajectory', self.closed.message)
 
     def test_the_trajectory_has_a_pose_for_each_line_of_the_model(self):
