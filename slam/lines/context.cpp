@@ -21,6 +21,21 @@ std::uint32_t first_within(const PosedLines& lines, double seconds) {
   return first;
 }
 
+LineRange lines_within(double seconds, const PosedLines& lines, std::uint32_t first,
+                       std::uint32_t end) {
+  LineRange range{first, first};
+  while (range.end < end && lines.seconds_between(first, range.end) < seconds) ++range.end;
+  return range;
+}
+
+double way_since(std::uint32_t line, const PosedLines& lines) {
+  double way_m = 0.0;
+  for (std::uint32_t i = line + 1; i < lines.size(); ++i) {
+    way_m += (lines.T_start_base(i).translation() - lines.T_start_base(i - 1).translation()).norm();
+  }
+  return way_m;
+}
+
 std::vector<Eigen::Vector3d> places_of(const PosedLines& lines, const LineRange& range,
                                        const Pose& T_start_start) {
   std::vector<Eigen::Vector3d> places;

@@ -19,6 +19,13 @@ struct LineRange {
 /// Returns the first line, but not line 0, that is younger than `seconds` at the newest line.
 std::uint32_t first_within(const PosedLines& lines, double seconds);
 
+/// Returns the lines from `first` on within a time, and before `end`.
+LineRange lines_within(double seconds, const PosedLines& lines, std::uint32_t first,
+                       std::uint32_t end);
+
+/// Returns the length of the way from a line to the newest one [m].
+double way_since(std::uint32_t line, const PosedLines& lines);
+
 /// Returns where the robot was in a range, if its lines were moved by `T_start_start` [m].
 std::vector<Eigen::Vector3d> places_of(const PosedLines& lines, const LineRange& range,
                                        const Pose& T_start_start = Pose::Identity());

@@ -51,14 +51,6 @@ bool is_better(const FoundMove& move, const FoundMove& other) {
   return move.gain_m > other.gain_m;
 }
 
-/// Returns the lines from `first` on within a time, and before `end`.
-LineRange lines_within(double seconds, const PosedLines& lines, std::uint32_t first,
-                       std::uint32_t end) {
-  LineRange range{first, first};
-  while (range.end < end && lines.seconds_between(first, range.end) < seconds) ++range.end;
-  return range;
-}
-
 }  // namespace
 
 Agreement MoveFinder::agreement(const PosedLines& lines, const LineRange& range,
@@ -148,9 +140,18 @@ std::optional<std::uint32_t> MoveFinder::last_tear_before(std::uint32_t line) co
   return torn != breaks_.rend() ? torn->tear : std::nullopt;
 }
 
-/// Returns how far from where it seems to be the newest line may be after a slip at the tear.
+/// Returns how far the newest line may be from where it seems to be after a way that began at a
+/// line. Walls that are turned by less than the gates are taken for others, and nothing tells; on a
+/// way that leads back, such a turn was at most half of it away.
+double MoveFinder::radius_m(std::uint32_t line, const PosedLines& lines) const {
+  const double turn_rad = settings_.estimate.gates.front().angle_deg * kDegree;
+  return std::max(settings_.estimate.relocaliser.radius_m,
+                  0.5 * way_since(line, lines) * std::sin(turn_rad));
+}
+
+/// Returns the same for a break: a slip at its tear takes the newest line farther.
 double MoveFinder::reach_m(const Break& torn, const PosedLines& lines) const {
-  if (!torn.tear) return 0.0;
+  if (!torn.tear) return radius_m(torn.line, lines);
   const Eigen::Vector3d from = lines.T_start_base(*torn.tear).translation(),
                         to = lines.T_start_base(lines.size() - 1).translation();
   const double angle_rad = settings_.estimate.relocaliser.angle_deg * kDegree;
@@ -219,8 +220,9 @@ void MoveFinder::ask(const Question& question, const PosedLines& lines, const Kn
     finding_.doubt = text_of(now);
   }
   const PlaceSearch search(lines, question.range, scene, settings_.estimate);
+  const double radius = radius_m(question.torn_from, lines);
   const auto search_about = [&](std::uint32_t pivot_line) {
-    std::vector<PlaceMove> moves = search.moves_about(pivot_line);
+    std::vector<PlaceMove> moves = search.moves_about(pivot_line, radius);
     for (const PlaceMove& move : moves) {
       if (is_clear_gain(now, move.agreement, config.least_known_again, config))
         found_.push_back(move.T_start_start);

@@ -74,6 +74,7 @@ class MoveFinder {
                   const KnownScene& scene);
   std::optional<std::uint32_t> newly_strained(const PosedLines& lines) const;
   std::optional<std::uint32_t> last_tear_before(std::uint32_t line) const;
+  double radius_m(std::uint32_t line, const PosedLines& lines) const;
   double reach_m(const Break& torn, const PosedLines& lines) const;
   const KnownScene& scene_before(Break& torn, const PosedLines& lines) const;
   bool search_before(Break& torn, const PosedLines& lines, const LineRange& newest);

@@ -93,11 +93,11 @@ PlaceSearch::PlaceSearch(const PosedLines& lines, const LineRange& range, const 
       known_(thinned(scene.points(), 0.5 * kSpacing_m)),
       search_(known_) {}
 
-std::vector<PlaceMove> PlaceSearch::moves_about(std::uint32_t pivot_line) const {
+std::vector<PlaceMove> PlaceSearch::moves_about(std::uint32_t pivot_line, double radius_m) const {
   const RelocaliserConfig& limits = config_.relocaliser;
   const PlanarPose pivot = planar(lines_.T_start_base(pivot_line));
   const auto found = search_.find(moved(seen_, inverse(pivot)), pivot,
-                                  {limits.radius_m, limits.angle_deg * kDegree, limits.least_score},
+                                  {radius_m, limits.angle_deg * kDegree, limits.least_score},
                                   limits.second_share);
   if (!found) return {};
   const SurfaceMap surfaces(known_);
@@ -105,7 +105,7 @@ std::vector<PlaceMove> PlaceSearch::moves_about(std::uint32_t pivot_line) const 
   const auto add = [&](const PlanarPose& moved_pivot) {
     const double most =
         std::max(std::abs(moved_pivot.x_m - pivot.x_m), std::abs(moved_pivot.y_m - pivot.y_m));
-    if (most > limits.radius_m - kSame_m) return;  // the peak may lie outside
+    if (most > radius_m - kSame_m) return;  // the peak may lie outside
     const auto move = move_to(moved_pivot * relative(pivot, here_), surfaces);
     if (move) moves.push_back(*move);
   };

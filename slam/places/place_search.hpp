@@ -61,9 +61,9 @@ class PlaceSearch {
               const EstimateConfig& config);
 
   /// Returns the moves within a window that put most ribbons on known walls, the best first: one,
-  /// or two if another one puts nearly as much there, or none. The window is about the pose of
-  /// `pivot_line`: a slip there turns all later poses about it.
-  std::vector<PlaceMove> moves_about(std::uint32_t pivot_line) const;
+  /// or two if another one puts nearly as much there, or none. The window reaches `radius_m` from
+  /// the pose of `pivot_line`: a slip there turns all later poses about it.
+  std::vector<PlaceMove> moves_about(std::uint32_t pivot_line, double radius_m) const;
 
  private:
   std::optional<PlaceMove> move_to(const PlanarPose& guess, const SurfaceMap& surfaces) const;

@@ -4,6 +4,7 @@
 
 #include <Eigen/Cholesky>
 #include <algorithm>
+#include <limits>
 #include <sstream>
 #include <utility>
 
@@ -28,10 +29,22 @@ bool may_slip(const Seam& seam, const Pose& T_start_start, const PosedLines& lin
   return error.dot(covariance.ldlt().solve(error)) <= max_sigmas * max_sigmas;
 }
 
-/// Returns the distance that a move takes the robot where it begins [m].
-double distance_at(const Seam& seam, const Pose& T_start_start, const PosedLines& lines) {
-  const Eigen::Vector3d place = lines.T_start_base(seam.end).translation();
+/// Returns the distance that a move takes the robot at a line [m].
+double distance_at(std::uint32_t line, const Pose& T_start_start, const PosedLines& lines) {
+  const Eigen::Vector3d place = lines.T_start_base(line).translation();
   return (T_start_start * place - place).norm();
+}
+
+/// Returns the line of a seam that a move displaces least: a turn moves all that follows about the
+/// place where it was made.
+std::uint32_t pivot_of(const Seam& seam, const Pose& T_start_start, const PosedLines& lines) {
+  std::uint32_t pivot = seam.first;
+  double least_m = std::numeric_limits<double>::infinity();
+  for (std::uint32_t i = seam.first; i <= seam.end; ++i) {
+    const double distance_m = distance_at(i, T_start_start, lines);
+    if (distance_m < least_m) least_m = distance_m, pivot = i;
+  }
+  return pivot;
 }
 
 /// Returns the lines near the newest ones, where these are and where a move takes them.
@@ -97,7 +110,7 @@ std::vector<Relocaliser::Candidate> Relocaliser::candidates(const Finding& findi
   const Seam& seam = finding.move->seam;
   const RelocaliserConfig& config = settings_.estimate.relocaliser;
   const auto add_slip = [&](const Seam& where, double lead = 0.0) {
-    if (distance_at(where, T, lines) > config.radius_m) return;
+    if (distance_at(where.end, T, lines) > config.radius_m) return;
     if (!may_slip(where, T, lines, config.drift_sigmas)) return;
     candidates.push_back({T, where, true, Decision::Kind::found, lead});
   };
@@ -114,8 +127,10 @@ std::vector<Relocaliser::Candidate> Relocaliser::candidates(const Finding& findi
   add_slip({seam.end, seam.end});
   add_slip({seam.first, seam.first});
   const Seam way{std::max<std::uint32_t>(1, finding.move->last_seen), seam.end};
-  const bool may_be_drift = !finding.move->tear;  // drift does not begin to be wrong at a line
-  if (may_be_drift && way.first < way.end && scale_of(way, T, lines) < max_scale(noise)) {
+  if (finding.move->tear || way.first >= way.end) return candidates;  // it began to be wrong there
+  const std::uint32_t pivot = pivot_of(way, T, lines);
+  add_slip({pivot, pivot});
+  if (scale_of(way, T, lines) < max_scale(noise)) {
     candidates.push_back({T, way, false, Decision::Kind::found});
   }
   return candidates;
@@ -174,8 +189,16 @@ bool Relocaliser::propose(const Candidate& candidate, const PosedLines& lines) {
   return is_same_move(before->T_start_start, candidate.T_start_start, lines.T_start_base(last));
 }
 
-/// Makes the move of least cost. Returns false if none costs less than no move. One that saves no
-/// plane is made when the next look finds it again: two corridors look alike at a glance.
+/// Returns false for moves that are made when the next look finds them again. Two corridors look
+/// alike at a glance, and farther away than a slip goes, more places do.
+bool Relocaliser::is_clear(const Choice& choice, const FoundMove& move,
+                           const PosedLines& lines) const {
+  const double distance_m = distance_at(lines.size() - 1, move.T_start_start, lines);
+  const bool is_far = distance_m > settings_.estimate.relocaliser.radius_m && !move.tear;
+  return choice.after.planes < choice.before.planes && !is_far;
+}
+
+/// Makes the move of least cost. Returns false if none costs less than no move.
 bool Relocaliser::choose(const Finding& finding, PosedLines& lines, const OdometryNoise& noise) {
   const std::vector<Candidate> histories = candidates(finding, lines, noise);
   if (histories.empty()) return false;
@@ -183,8 +206,7 @@ bool Relocaliser::choose(const Finding& finding, PosedLines& lines, const Odomet
   if (!choice) return false;
   const Candidate& chosen = choice->candidate;
   const bool is_found = chosen.kind == Decision::Kind::found;
-  const bool saves_plane = choice->after.planes < choice->before.planes;
-  if (is_found && !saves_plane && !propose(chosen, lines)) return false;
+  if (is_found && !is_clear(*choice, *finding.move, lines) && !propose(chosen, lines)) return false;
   lines = std::move(choice->lines);
   decide(chosen.kind, lines,
          (is_found ? finding.move->evidence : finding.doubt) + "; " +

@@ -18,9 +18,10 @@ namespace ribbon_mapper::slam {
 ///
 /// A move may have been made by a slip at one moment, or by drift since the place was seen for the
 /// last time. Each is tried, and the history of least cost is kept, see HistoryCost: with none of
-/// the moves if they save less than the cost of a plane. A move that saves ribbons alone is made
-/// when two looks find it. One that leaves most of what is in view unknown has to explain more
-/// ribbons by fewer planes. A move is taken back if the history without it costs less later.
+/// the moves if they save less than the cost of a plane. A move that saves ribbons alone, or goes
+/// farther than a slip, is made when two looks find it. One that leaves most of what is in view
+/// unknown has to explain more ribbons by fewer planes. A move is taken back if the history without
+/// it costs less later.
 class Relocaliser {
  public:
   /// Starts on known ground.
@@ -65,6 +66,7 @@ class Relocaliser {
                           const OdometryNoise& noise) const;
   std::optional<Choice> best_of(const std::vector<Candidate>& histories, const Finding& finding,
                                 const PosedLines& lines, const OdometryNoise& noise) const;
+  bool is_clear(const Choice& choice, const FoundMove& move, const PosedLines& lines) const;
   bool propose(const Candidate& candidate, const PosedLines& lines);
   bool choose(const Finding& finding, PosedLines& lines, const OdometryNoise& noise);
   void decide(Decision::Kind kind, const PosedLines& lines, const std::string& reason);

@@ -50,6 +50,13 @@ TEST(SelfClosure, NoticesThatWallsWereTakenForPilasters) {
   expect_found(self_corrected(13, "", "worlds/ring_pilasters.sdf"));
 }
 
+/// At the first corner, walls were taken for the fronts of pilasters, and the way was turned by 4.6
+/// degrees. 190 s later, the corridor of the start seems to lie beside the one in view, which share
+/// a wall: nothing is contradicted.
+TEST(SelfClosure, ClosesALongLoopOverATurnThatNothingContradicted) {
+  expect_found(self_corrected(61, "", "worlds/ring_pilasters.sdf"));
+}
+
 /// The slip happens in a room that was entered 20 s before. Found from the newest lines alone, it
 /// left those before them where they were.
 TEST(SelfClosure, FindsASlipInANewRoomFromItsBeginning) {

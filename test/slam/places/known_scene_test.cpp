@@ -13,6 +13,8 @@
 namespace ribbon_mapper::slam {
 namespace {
 
+constexpr double kRadius_m = 1.5;  // of the window that is searched
+
 const AssociationGates kGates{3.2, 0.12};
 
 /// A room that is seen for eight seconds, from its middle unless a motion is given. A door of 1 m
@@ -85,7 +87,7 @@ TEST(PlaceSearch, FindsTheMoveThatWasMade) {
   }
   const LineRange range{160, room.lines.size()};
   const PlaceSearch search(room.lines, range, scene, room.settings.estimate);
-  const auto moves = search.moves_about(range.end - 1);
+  const auto moves = search.moves_about(range.end - 1, kRadius_m);
   ASSERT_EQ(moves.size(), 1U);
   EXPECT_GT(moves.front().agreement.known(), 0.9);
   const Pose rest = moves.front().T_start_start * move;
@@ -107,8 +109,9 @@ TEST(PlaceSearch, FindsASlipThatWasMadeALongWayBefore) {
   }
   const LineRange range{slipped + 1, room.lines.size()};
   const PlaceSearch search(room.lines, range, scene, room.settings.estimate);
-  EXPECT_TRUE(search.moves_about(range.end - 1).empty());
-  const auto moves = search.moves_about(slipped);
+  EXPECT_TRUE(search.moves_about(range.end - 1, kRadius_m).empty());
+  EXPECT_EQ(search.moves_about(range.end - 1, 2.0 * kRadius_m).size(), 1U);
+  const auto moves = search.moves_about(slipped, kRadius_m);
   ASSERT_EQ(moves.size(), 1U);
   const Pose rest = moves.front().T_start_start * slip;
   EXPECT_LT(rest.translation().norm(), 0.05);
