@@ -149,9 +149,10 @@ double MoveFinder::radius_m(std::uint32_t line, const PosedLines& lines) const {
                   0.5 * way_since(line, lines) * std::sin(turn_rad));
 }
 
-/// Returns the same for a break: a slip at its tear takes the newest line farther.
+/// Returns how much farther than after a slip the newest line may be from where it seems to be. One
+/// at the tear has taken it farther.
 double MoveFinder::reach_m(const Break& torn, const PosedLines& lines) const {
-  if (!torn.tear) return radius_m(torn.line, lines);
+  if (!torn.tear) return radius_m(torn.line, lines) - settings_.estimate.relocaliser.radius_m;
   const Eigen::Vector3d from = lines.T_start_base(*torn.tear).translation(),
                         to = lines.T_start_base(lines.size() - 1).translation();
   const double angle_rad = settings_.estimate.relocaliser.angle_deg * kDegree;

@@ -96,9 +96,9 @@ PlaceSearch::PlaceSearch(const PosedLines& lines, const LineRange& range, const 
 std::vector<PlaceMove> PlaceSearch::moves_about(std::uint32_t pivot_line, double radius_m) const {
   const RelocaliserConfig& limits = config_.relocaliser;
   const PlanarPose pivot = planar(lines_.T_start_base(pivot_line));
-  const auto found = search_.find(moved(seen_, inverse(pivot)), pivot,
-                                  {radius_m, limits.angle_deg * kDegree, limits.least_score},
-                                  limits.second_share);
+  const auto found =
+      search_.find(moved(seen_, inverse(pivot)), pivot,
+                   {radius_m, limits.angle_deg * kDegree, limits.least_score}, limits.second_share);
   if (!found) return {};
   const SurfaceMap surfaces(known_);
   std::vector<PlaceMove> moves;

@@ -4,7 +4,6 @@
 
 #include <Eigen/Cholesky>
 #include <algorithm>
-#include <limits>
 #include <sstream>
 #include <utility>
 
@@ -15,6 +14,7 @@ namespace ribbon_mapper::slam {
 namespace {
 
 constexpr double kShortSeam_s = 3.0;  // longer than a slip or a push
+constexpr double kPivot = 0.25;       // a turn displaces it by less of what it does to the robot
 
 /// Returns false if a source beside the wheels has measured the steps of a seam, and excludes that
 /// the robot was moved there: a level laser sees that it did not slip.
@@ -35,11 +35,12 @@ double distance_at(std::uint32_t line, const Pose& T_start_start, const PosedLin
   return (T_start_start * place - place).norm();
 }
 
-/// Returns the line of a seam that a move displaces least: a turn moves all that follows about the
-/// place where it was made.
-std::uint32_t pivot_of(const Seam& seam, const Pose& T_start_start, const PosedLines& lines) {
-  std::uint32_t pivot = seam.first;
-  double least_m = std::numeric_limits<double>::infinity();
+/// Returns the line of a seam about which a move turns the newest one: the turn was made there.
+/// Nothing if it shifts all lines of the seam.
+std::optional<std::uint32_t> pivot_of(const Seam& seam, const Pose& T_start_start,
+                                      const PosedLines& lines) {
+  std::optional<std::uint32_t> pivot;
+  double least_m = kPivot * distance_at(lines.size() - 1, T_start_start, lines);
   for (std::uint32_t i = seam.first; i <= seam.end; ++i) {
     const double distance_m = distance_at(i, T_start_start, lines);
     if (distance_m < least_m) least_m = distance_m, pivot = i;
@@ -128,8 +129,7 @@ std::vector<Relocaliser::Candidate> Relocaliser::candidates(const Finding& findi
   add_slip({seam.first, seam.first});
   const Seam way{std::max<std::uint32_t>(1, finding.move->last_seen), seam.end};
   if (finding.move->tear || way.first >= way.end) return candidates;  // it began to be wrong there
-  const std::uint32_t pivot = pivot_of(way, T, lines);
-  add_slip({pivot, pivot});
+  if (const auto pivot = pivot_of(way, T, lines)) add_slip({*pivot, *pivot});
   if (scale_of(way, T, lines) < max_scale(noise)) {
     candidates.push_back({T, way, false, Decision::Kind::found});
   }
