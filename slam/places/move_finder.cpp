@@ -283,6 +283,7 @@ void MoveFinder::judge(const Question& question, const std::vector<PlaceMove>& m
                   last_seen(lines, question.range, move.T_start_start, scene, gates),
                   moved.evidence_m() - now.evidence_m(),
                   moved.known() < config.least_known,
+                  question.tear || is_contradiction(now, config),
                   now.pierced_m - moved.pierced_m,
                   last_tear_before(seam.first),
                   finding_.doubt};

@@ -18,6 +18,7 @@ struct FoundMove {
   std::uint32_t last_seen;  ///< line that saw the known walls for the last time
   double gain_m;            ///< length of ribbons that it makes known
   bool is_partial;          ///< most of what is in view stays unknown
+  bool is_contradicted;     ///< known walls stand before what is in view, or did
   double freed_m;           ///< length of ribbons that are no longer seen through known walls
   /// The line before the seam where known walls began to contradict what was in view, and no move
   /// was found, if there is one.

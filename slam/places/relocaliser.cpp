@@ -100,6 +100,14 @@ double Relocaliser::max_scale(const OdometryNoise& noise) const {
   return settings_.estimate.relocaliser.drift_sigmas * noise.planar_scale;
 }
 
+/// Returns true if a move goes farther than a slip, and nothing contradicts that the robot is where
+/// it seems to be. A turn at a place of its way may still have led it there; drift has not, as
+/// walls were followed all along.
+bool Relocaliser::is_far(const FoundMove& move, const PosedLines& lines) const {
+  return !move.is_contradicted && distance_at(lines.size() - 1, move.T_start_start, lines) >
+                                      settings_.estimate.relocaliser.radius_m;
+}
+
 /// Returns the histories that may explain what was found, and the one without the last move.
 std::vector<Relocaliser::Candidate> Relocaliser::candidates(const Finding& finding,
                                                             const PosedLines& lines,
@@ -130,7 +138,7 @@ std::vector<Relocaliser::Candidate> Relocaliser::candidates(const Finding& findi
   const Seam way{std::max<std::uint32_t>(1, finding.move->last_seen), seam.end};
   if (finding.move->tear || way.first >= way.end) return candidates;  // it began to be wrong there
   if (const auto pivot = pivot_of(way, T, lines)) add_slip({*pivot, *pivot});
-  if (scale_of(way, T, lines) < max_scale(noise)) {
+  if (!is_far(*finding.move, lines) && scale_of(way, T, lines) < max_scale(noise)) {
     candidates.push_back({T, way, false, Decision::Kind::found});
   }
   return candidates;
@@ -193,9 +201,7 @@ bool Relocaliser::propose(const Candidate& candidate, const PosedLines& lines) {
 /// alike at a glance, and farther away than a slip goes, more places do.
 bool Relocaliser::is_clear(const Choice& choice, const FoundMove& move,
                            const PosedLines& lines) const {
-  const double distance_m = distance_at(lines.size() - 1, move.T_start_start, lines);
-  const bool is_far = distance_m > settings_.estimate.relocaliser.radius_m && !move.tear;
-  return choice.after.planes < choice.before.planes && !is_far;
+  return choice.after.planes < choice.before.planes && !is_far(move, lines);
 }
 
 /// Makes the move of least cost. Returns false if none costs less than no move.

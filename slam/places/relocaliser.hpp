@@ -66,6 +66,7 @@ class Relocaliser {
                           const OdometryNoise& noise) const;
   std::optional<Choice> best_of(const std::vector<Candidate>& histories, const Finding& finding,
                                 const PosedLines& lines, const OdometryNoise& noise) const;
+  bool is_far(const FoundMove& move, const PosedLines& lines) const;
   bool is_clear(const Choice& choice, const FoundMove& move, const PosedLines& lines) const;
   bool propose(const Candidate& candidate, const PosedLines& lines);
   bool choose(const Finding& finding, PosedLines& lines, const OdometryNoise& noise);
