@@ -135,6 +135,7 @@ std::vector<Relocaliser::Candidate> Relocaliser::candidates(const Finding& findi
   // What was seen in the meantime belongs to what was seen before, to what is seen now, or to both.
   add_slip({seam.end, seam.end});
   add_slip({seam.first, seam.first});
+  if (seam.split) add_slip({*seam.split, *seam.split});
   const Seam way{std::max<std::uint32_t>(1, finding.move->last_seen), seam.end};
   if (finding.move->tear || way.first >= way.end) return candidates;  // it began to be wrong there
   if (const auto pivot = pivot_of(way, T, lines)) add_slip({*pivot, *pivot});

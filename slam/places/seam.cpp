@@ -57,12 +57,13 @@ Seam seam_of(const PosedLines& lines, const LineRange& range, const Pose& T_star
   const std::uint32_t stay = length_of_best_start(here.begin(), here.end());
   const std::uint32_t move = length_of_best_start(moved.rbegin(), moved.rend());
   const auto count = static_cast<std::uint32_t>(here.size());
-  if (stay + move <= count) return {range.first + stay, range.end - move};
-  // Some fit both ways: the line that parts them best.
   std::vector<double> preference;
   for (std::size_t i = 0; i < here.size(); ++i) preference.push_back(here[i] - moved[i]);
   const std::uint32_t split = length_of_best_start(preference.begin(), preference.end());
-  return {range.first + split, range.first + split};
+  if (stay + move > count) return {range.first + split, range.first + split};  // some fit both ways
+  Seam seam{range.first + stay, range.end - move};
+  if (split != stay && split != count - move) seam.split = range.first + split;
+  return seam;
 }
 
 std::uint32_t end_of_fitting(const PosedLines& lines, const LineRange& range,

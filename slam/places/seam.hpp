@@ -13,6 +13,9 @@ namespace ribbon_mapper::slam {
 struct Seam {
   std::uint32_t first = 1;  ///< the first line that does not fit where it is
   std::uint32_t end = 1;    ///< the first line that fits if moved; at least `first`
+  /// The line that parts best what fits where it is from what fits if moved, whatever else is seen.
+  /// Nothing if it is one of these two.
+  std::optional<std::uint32_t> split = std::nullopt;
 };
 
 /// Returns the seam of lines that fit known walls first where they are, then if moved by

@@ -83,6 +83,14 @@ TEST(SelfClosure, ClosesALoopOverAPushALongWayBack) {
   expect_found(self_corrected(49, "push=74:2"));
 }
 
+/// For a second before the shift and 90 s after it, most of what is in view is new. The line that
+/// parts best what was known before from what is known again is that of the shift.
+TEST(SelfClosure, FindsWhereAShiftWasMadeAmongNewWalls) {
+  const Summary summary = self_corrected(68, "shift=135.4:0.5");
+  expect_found(summary);
+  EXPECT_EQ(summary.metrics.corrected.matched, 22U);
+}
+
 /// Turned by 90 degrees, two thirds of the walls of a new room lie on those of a known one, 1.3 m
 /// away. But the robot would have jumped by 2.2 m where it was pushed.
 TEST(SelfClosure, MovesNothingFartherThanAPushGoes) {
