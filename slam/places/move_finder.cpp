@@ -33,11 +33,6 @@ std::string text_of(const PlaceMove& move) {
   return text.str();
 }
 
-/// Returns true if what is in view cannot be new ground: known walls would stand before it.
-bool is_contradiction(const Agreement& agreement, const RelocaliserConfig& config) {
-  return agreement.pierced() >= config.pierced_share && agreement.known() < config.least_known;
-}
-
 /// Returns true if lines are on known ground after a move, and clearly more than before it.
 bool is_clear_gain(const Agreement& before, const Agreement& after, double least_known,
                    const RelocaliserConfig& config) {
@@ -253,6 +248,16 @@ void MoveFinder::tell_apart(std::vector<PlaceMove>& moves, const PosedLines& lin
   moves.erase(is_first_known ? moves.begin() + 1 : moves.begin());
 }
 
+/// Returns true if a move would put the newest lines where known walls stand before what they see.
+bool MoveFinder::contradicts_newest(const Pose& T_start_start, const PosedLines& lines,
+                                    const KnownScene& scene) const {
+  const RelocaliserConfig& config = settings_.estimate.relocaliser;
+  const LineRange newest{first_within(lines, config.query_s), lines.size()};
+  const Agreement here = agreement(lines, newest, Pose::Identity(), scene);
+  return agreement(lines, newest, T_start_start, scene).pierced() >
+         std::max(config.pierced_share, here.pierced());
+}
+
 void MoveFinder::judge(const Question& question, const std::vector<PlaceMove>& moves,
                        const PosedLines& lines, const KnownScene& scene) {
   const Agreement& now = question.unmoved;
@@ -265,6 +270,7 @@ void MoveFinder::judge(const Question& question, const std::vector<PlaceMove>& m
       was_found_before(move, lines) ? config.least_known_again : config.least_known;
   if (!is_clear_gain(now, moved, least, config)) return;
   if (moved.pierced() > std::max(config.pierced_share, now.pierced())) return;
+  if (contradicts_newest(move.T_start_start, lines, scene)) return;
   const Seam seam =
       seam_of(lines, {question.torn_from, question.range.end}, move.T_start_start, scene, gates);
   const LineRange behind = lines_within(0.5 * config.query_s, lines, seam.end, question.range.end);

@@ -86,6 +86,8 @@ class MoveFinder {
   void ask(const Question& question, const PosedLines& lines, const KnownScene& scene);
   bool was_found_before(const PlaceMove& move, const PosedLines& lines) const;
   void tell_apart(std::vector<PlaceMove>& moves, const PosedLines& lines) const;
+  bool contradicts_newest(const Pose& T_start_start, const PosedLines& lines,
+                          const KnownScene& scene) const;
   void judge(const Question& question, const std::vector<PlaceMove>& moves, const PosedLines& lines,
              const KnownScene& scene);
 

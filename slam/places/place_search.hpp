@@ -33,6 +33,11 @@ inline bool is_known_ground(const Agreement& agreement, const RelocaliserConfig&
   return agreement.known() >= config.known_share && agreement.pierced() < config.pierced_share;
 }
 
+/// Returns true if what lines see cannot be new ground: known walls would stand before it.
+inline bool is_contradiction(const Agreement& agreement, const RelocaliserConfig& config) {
+  return agreement.pierced() >= config.pierced_share && agreement.known() < config.least_known;
+}
+
 /// Returns a transform in the plane of the floor as one in space.
 Pose in_space(const PlanarPose& planar);
 
