@@ -83,6 +83,14 @@ TEST(SelfClosure, ClosesALoopOverAPushALongWayBack) {
   expect_found(self_corrected(49, "push=74:2"));
 }
 
+/// The lines just behind the push fit a corner that is turned by 90 degrees better than their own.
+/// With that, the newest lines would see through known walls.
+TEST(SelfClosure, MovesNothingSoThatTheNewestLinesSeeThroughWalls) {
+  const Summary summary = self_corrected(80, "push=172.4:1");
+  expect_found(summary);
+  EXPECT_EQ(summary.metrics.corrected.matched, 22U);
+}
+
 /// For a second before the shift and 90 s after it, most of what is in view is new. The line that
 /// parts best what was known before from what is known again is that of the shift.
 TEST(SelfClosure, FindsWhereAShiftWasMadeAmongNewWalls) {
