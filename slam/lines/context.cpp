@@ -21,6 +21,10 @@ std::uint32_t first_within(const PosedLines& lines, double seconds) {
   return first;
 }
 
+LineRange newest_within(const PosedLines& lines, double seconds) {
+  return {first_within(lines, seconds), lines.size()};
+}
+
 LineRange lines_within(double seconds, const PosedLines& lines, std::uint32_t first,
                        std::uint32_t end) {
   LineRange range{first, first};

@@ -19,6 +19,9 @@ struct LineRange {
 /// Returns the first line, but not line 0, that is younger than `seconds` at the newest line.
 std::uint32_t first_within(const PosedLines& lines, double seconds);
 
+/// Returns the lines from first_within() on.
+LineRange newest_within(const PosedLines& lines, double seconds);
+
 /// Returns the lines from `first` on within a time, and before `end`.
 LineRange lines_within(double seconds, const PosedLines& lines, std::uint32_t first,
                        std::uint32_t end);

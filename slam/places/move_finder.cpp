@@ -57,7 +57,7 @@ Finding MoveFinder::find(const PosedLines& lines, double tracked_share, double m
   finding_ = {};
   found_before_ = std::exchange(found_, {});
   max_scale_ = max_scale;
-  const LineRange newest{first_within(lines, settings_.estimate.relocaliser.query_s), lines.size()};
+  const LineRange newest = newest_within(lines, settings_.estimate.relocaliser.query_s);
   if (newest.first < 2) return finding_;
   look_at_recent(lines, newest, tracked_share);
   for (std::size_t i = breaks_.size(); i-- > 0;) {
@@ -120,7 +120,7 @@ void MoveFinder::open_break(const PosedLines& lines, const LineRange& newest, co
 
 /// Returns where the window contradicts its odometry, unless a break begins there already.
 std::optional<std::uint32_t> MoveFinder::newly_strained(const PosedLines& lines) const {
-  const LineRange window{first_within(lines, settings_.estimate.window_s), lines.size()};
+  const LineRange window = newest_within(lines, settings_.estimate.window_s);
   const std::optional<std::uint32_t> line = most_strained(lines, window, max_scale_);
   if (!line) return std::nullopt;
   const bool is_broken = std::any_of(breaks_.begin(), breaks_.end(), [&](const Break& torn) {
@@ -252,7 +252,7 @@ void MoveFinder::tell_apart(std::vector<PlaceMove>& moves, const PosedLines& lin
 bool MoveFinder::contradicts_newest(const Pose& T_start_start, const PosedLines& lines,
                                     const KnownScene& scene) const {
   const RelocaliserConfig& config = settings_.estimate.relocaliser;
-  const LineRange newest{first_within(lines, config.query_s), lines.size()};
+  const LineRange newest = newest_within(lines, config.query_s);
   const Agreement here = agreement(lines, newest, Pose::Identity(), scene);
   return agreement(lines, newest, T_start_start, scene).pierced() >
          std::max(config.pierced_share, here.pierced());

@@ -51,7 +51,7 @@ std::optional<std::uint32_t> pivot_of(const Seam& seam, const Pose& T_start_star
 /// Returns the lines near the newest ones, where these are and where a move takes them.
 std::vector<std::uint32_t> compared_lines(const Finding& finding, const PosedLines& lines,
                                           const EstimateConfig& config) {
-  const LineRange newest{first_within(lines, config.relocaliser.query_s), lines.size()};
+  const LineRange newest = newest_within(lines, config.relocaliser.query_s);
   std::vector<Eigen::Vector3d> places = places_of(lines, newest);
   if (finding.move) {
     const std::vector<Eigen::Vector3d> moved =

@@ -28,6 +28,12 @@ void expect_found(const Summary& summary) {
   EXPECT_LT(summary.estimate->error.rmse_m, 0.03);
 }
 
+/// As expect_found(), and all planes of the flat were found.
+void expect_found_in_the_flat(const Summary& summary) {
+  expect_found(summary);
+  EXPECT_EQ(summary.metrics.corrected.matched, 22U);
+}
+
 /// Here, a move of 0.9 m would put the first walls of a new room on those of an old one: a third of
 /// what is in view.
 TEST(SelfClosure, MovesNothingOntoParallelWalls) {
@@ -60,17 +66,13 @@ TEST(SelfClosure, ClosesALongLoopOverATurnThatNothingContradicted) {
 /// The slip happens in a room that was entered 20 s before. Found from the newest lines alone, it
 /// left those before them where they were.
 TEST(SelfClosure, FindsASlipInANewRoomFromItsBeginning) {
-  const Summary summary = self_corrected(32, "slip=150:20");
-  expect_found(summary);
-  EXPECT_EQ(summary.metrics.corrected.matched, 22U);
+  expect_found_in_the_flat(self_corrected(32, "slip=150:20"));
 }
 
 /// The walls of then do not tell the move, but they contradict what is in view. The move is found
 /// 87 s later, and belongs to the contradiction.
 TEST(SelfClosure, MovesAllThatCameAfterAContradiction) {
-  const Summary summary = self_corrected(31, "shift=45:0.5");
-  expect_found(summary);
-  EXPECT_EQ(summary.metrics.corrected.matched, 22U);
+  expect_found_in_the_flat(self_corrected(31, "shift=45:0.5"));
 }
 
 /// Most of what is in view after the push is new. Two looks in a row find a move that makes 36 % of
@@ -86,17 +88,13 @@ TEST(SelfClosure, ClosesALoopOverAPushALongWayBack) {
 /// The lines just behind the push fit a corner that is turned by 90 degrees better than their own.
 /// With that, the newest lines would see through known walls.
 TEST(SelfClosure, MovesNothingSoThatTheNewestLinesSeeThroughWalls) {
-  const Summary summary = self_corrected(80, "push=172.4:1");
-  expect_found(summary);
-  EXPECT_EQ(summary.metrics.corrected.matched, 22U);
+  expect_found_in_the_flat(self_corrected(80, "push=172.4:1"));
 }
 
 /// For a second before the shift and 90 s after it, most of what is in view is new. The line that
 /// parts best what was known before from what is known again is that of the shift.
 TEST(SelfClosure, FindsWhereAShiftWasMadeAmongNewWalls) {
-  const Summary summary = self_corrected(68, "shift=135.4:0.5");
-  expect_found(summary);
-  EXPECT_EQ(summary.metrics.corrected.matched, 22U);
+  expect_found_in_the_flat(self_corrected(68, "shift=135.4:0.5"));
 }
 
 /// Turned by 90 degrees, two thirds of the walls of a new room lie on those of a known one, 1.3 m
