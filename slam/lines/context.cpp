@@ -32,6 +32,12 @@ LineRange lines_within(double seconds, const PosedLines& lines, std::uint32_t fi
   return range;
 }
 
+LineRange lines_before(double seconds, const PosedLines& lines, std::uint32_t end) {
+  LineRange range{end, end};
+  while (range.first > 0 && lines.seconds_between(range.first - 1, end) < seconds) --range.first;
+  return range;
+}
+
 double way_since(std::uint32_t line, const PosedLines& lines) {
   double way_m = 0.0;
   for (std::uint32_t i = line + 1; i < lines.size(); ++i) {

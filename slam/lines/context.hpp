@@ -26,6 +26,9 @@ LineRange newest_within(const PosedLines& lines, double seconds);
 LineRange lines_within(double seconds, const PosedLines& lines, std::uint32_t first,
                        std::uint32_t end);
 
+/// Returns the lines before `end` within a time.
+LineRange lines_before(double seconds, const PosedLines& lines, std::uint32_t end);
+
 /// Returns the length of the way from a line to the newest one [m].
 double way_since(std::uint32_t line, const PosedLines& lines);
 

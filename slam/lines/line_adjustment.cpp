@@ -24,10 +24,11 @@ PoseBelief belief_within(const Pose& T_start_base, const AssociationGates& gates
   return belief;
 }
 
-/// Returns the variances of a step that may be wrong by any amount in the plane.
-Vector6 slip_variances() {
+/// Returns the variances of one of some steps that may be wrong together by any amount in the
+/// plane.
+Vector6 slip_variances(std::uint32_t steps) {
   Vector6 variances = Vector6::Zero();
-  variances[0] = variances[1] = variances[5] = 1.0;
+  variances[0] = variances[1] = variances[5] = 1.0 / steps;
   return variances;
 }
 
@@ -115,7 +116,8 @@ TrajectorySegment Adjustment::segment() const {
   segment.steps.push_back(Pose::Identity());  // the end is open
   set_step_variances(noise_, segment);
   for (std::uint32_t i = which_.first; i < which_.end; ++i) {
-    if (lines_.is_slip(i)) segment.step_variances[index_of(i)] += slip_variances();
+    if (lines_.is_slip(i))
+      segment.step_variances[index_of(i)] += slip_variances(lines_.slip_length(i));
   }
   segment.T_frame_start = lines_.T_start_base(which_.first - 1);
   return segment;
@@ -127,7 +129,7 @@ std::vector<Matrix6> Adjustment::step_information() const {
   if (!lines_.has_source()) return information;
   for (std::uint32_t i = which_.first; i < which_.end; ++i) {
     Matrix6 covariance = lines_.fused_covariance(i, noise_);
-    if (lines_.is_slip(i)) covariance.diagonal() += slip_variances();
+    if (lines_.is_slip(i)) covariance.diagonal() += slip_variances(lines_.slip_length(i));
     information.push_back(covariance.inverse());
   }
   information.push_back(Matrix6::Identity());  // the end is open

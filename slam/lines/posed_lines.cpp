@@ -83,6 +83,14 @@ void PosedLines::set_slip(std::uint32_t line, bool is_slip) {
     slips_.erase(line);
 }
 
+std::uint32_t PosedLines::slip_length(std::uint32_t line) const {
+  if (!is_slip(line)) return 0;
+  std::uint32_t first = line, last = line;
+  while (first > 0 && is_slip(first - 1)) --first;
+  while (is_slip(last + 1)) ++last;
+  return last + 1 - first;
+}
+
 void PosedLines::add_next() {
   const std::uint32_t line = size();
   stamps_.push_back(observations_->trajectory().recorded().stamps()[line]);

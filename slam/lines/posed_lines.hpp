@@ -44,6 +44,8 @@ class PosedLines {
   void set_slip(std::uint32_t line, bool is_slip);
   /// Returns true if the odometry's step to a line was declared wrong.
   bool is_slip(std::uint32_t line) const { return slips_.count(line) > 0; }
+  /// Returns how many steps in a row were declared wrong, the step to a line among them.
+  std::uint32_t slip_length(std::uint32_t line) const;
 
   /// Returns the covariance of a step by what the source alone has measured, see
   /// OdometrySource::step_covariance(). There is a source.

@@ -9,6 +9,7 @@
 
 #include "slam/lines/line_adjustment.hpp"
 #include "slam/matching/planar_pose.hpp"
+#include "slam/places/evident_slip.hpp"
 
 namespace ribbon_mapper::slam {
 namespace {
@@ -108,6 +109,26 @@ bool Relocaliser::is_far(const FoundMove& move, const PosedLines& lines) const {
                                       settings_.estimate.relocaliser.radius_m;
 }
 
+/// Returns true if a slip within a seam may have made a move.
+bool Relocaliser::is_possible(const Seam& slip, const Pose& T_start_start,
+                              const PosedLines& lines) const {
+  const RelocaliserConfig& config = settings_.estimate.relocaliser;
+  return distance_at(slip.end, T_start_start, lines) <= config.radius_m &&
+         may_slip(slip, T_start_start, lines, config.drift_sigmas);
+}
+
+/// Returns the history in which a move was made by a slip that the lines around it show, if any
+/// do. It may lie as far before the last known ground as the window is wide.
+std::optional<Relocaliser::Candidate> Relocaliser::evident_history(const FoundMove& move,
+                                                                   const PosedLines& lines) const {
+  const std::uint32_t known = std::min(move.seam.first, move.last_seen);
+  const std::uint32_t first = lines_before(settings_.estimate.window_s, lines, known).first;
+  const LineRange doubted{std::max<std::uint32_t>(1, first), lines.size()};
+  const auto slip = evident_slip(lines, doubted, move.T_start_start, settings_);
+  if (!slip || !is_possible(slip->seam, move.T_start_start, lines)) return std::nullopt;
+  return Candidate{move.T_start_start, slip->seam, true, Decision::Kind::found, 0.0, slip->ribbons};
+}
+
 /// Returns the histories that may explain what was found, and the one without the last move.
 std::vector<Relocaliser::Candidate> Relocaliser::candidates(const Finding& finding,
                                                             const PosedLines& lines,
@@ -115,13 +136,15 @@ std::vector<Relocaliser::Candidate> Relocaliser::candidates(const Finding& findi
   std::vector<Candidate> candidates;
   if (way_back_ && !finding.doubt.empty()) candidates.push_back(*way_back_);
   if (!finding.move) return candidates;
+  if (const auto history = evident_history(*finding.move, lines)) {
+    candidates.push_back(*history);
+    return candidates;
+  }
   const Pose& T = finding.move->T_start_start;
   const Seam& seam = finding.move->seam;
-  const RelocaliserConfig& config = settings_.estimate.relocaliser;
   const auto add_slip = [&](const Seam& where, double lead = 0.0) {
-    if (distance_at(where.end, T, lines) > config.radius_m) return;
-    if (!may_slip(where, T, lines, config.drift_sigmas)) return;
-    candidates.push_back({T, where, true, Decision::Kind::found, lead});
+    if (is_possible(where, T, lines))
+      candidates.push_back({T, where, true, Decision::Kind::found, lead});
   };
   // That known walls stood before what was in view is evidence of its own: another place must save
   // a plane.
@@ -173,11 +196,12 @@ std::optional<Relocaliser::Choice> Relocaliser::best_of(const std::vector<Candid
   for (const Candidate& candidate : histories) {
     PosedLines history = history_with(candidate, lines, noise);
     const HistoryCost after = history_cost(history, compared, settings_);
+    const double cost = after.total - candidate.saved;
     // Ribbons seen through known walls contradict them: they are not explained either.
     const bool is_move = candidate.kind == Decision::Kind::found && before.ribbon_m > 0.0;
-    const double total = after.total - (is_move ? finding.move->freed_m / before.ribbon_m : 0.0);
+    const double total = cost - (is_move ? finding.move->freed_m / before.ribbon_m : 0.0);
     // Known walls may be wrong themselves: what is seen through them moves nothing alone.
-    if (after.total >= before.total || total >= least) continue;
+    if (cost >= before.total || total >= least) continue;
     // New ground may look like known ground in part.
     const bool explains_more =
         after.planes < before.planes && after.unexplained <= before.unexplained;
@@ -202,7 +226,8 @@ bool Relocaliser::propose(const Candidate& candidate, const PosedLines& lines) {
 /// alike at a glance, and farther away than a slip goes, more places do.
 bool Relocaliser::is_clear(const Choice& choice, const FoundMove& move,
                            const PosedLines& lines) const {
-  return choice.after.planes < choice.before.planes && !is_far(move, lines);
+  const bool is_shown = choice.candidate.saved > 0.0 || choice.after.planes < choice.before.planes;
+  return is_shown && !is_far(move, lines);
 }
 
 /// Makes the move of least cost. Returns false if none costs less than no move.

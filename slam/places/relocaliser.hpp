@@ -17,8 +17,9 @@ namespace ribbon_mapper::slam {
 /// wrong pose.
 ///
 /// A move may have been made by a slip at one moment, or by drift since the place was seen for the
-/// last time. Each is tried, and the history of least cost is kept, see HistoryCost: with none of
-/// the moves if they save less than the cost of a plane. A move that saves ribbons alone, or goes
+/// last time. Where lines show the slip by themselves, see EvidentSlip, it was made there. Else,
+/// each is tried, and the history of least cost is kept, see HistoryCost: with none of the moves if
+/// they save less than the cost of a plane. A move that saves ribbons alone, or goes
 /// farther than a slip, is made when two looks find it. One that leaves most of what is in view
 /// unknown has to explain more ribbons by fewer planes. A move is taken back if the history without
 /// it costs less later.
@@ -47,6 +48,7 @@ class Relocaliser {
     bool is_slip;         // the odometry has failed within the seam
     Decision::Kind kind;  // if it is chosen
     double lead = 0.0;    // the cost that later candidates must save beyond it
+    double saved = 0.0;   // the cost that it saves where the wheels have slipped
   };
   /// A candidate that costs less than no move.
   struct Choice {
@@ -60,6 +62,8 @@ class Relocaliser {
     Time stamp;  // of the newest line
   };
   double max_scale(const OdometryNoise& noise) const;
+  bool is_possible(const Seam& slip, const Pose& T_start_start, const PosedLines& lines) const;
+  std::optional<Candidate> evident_history(const FoundMove& move, const PosedLines& lines) const;
   std::vector<Candidate> candidates(const Finding& finding, const PosedLines& lines,
                                     const OdometryNoise& noise) const;
   PosedLines history_with(const Candidate& candidate, const PosedLines& lines,

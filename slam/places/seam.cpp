@@ -26,16 +26,31 @@ std::vector<double> gains(const PosedLines& lines, const LineRange& range,
   return gains;
 }
 
-/// Returns how many of the first numbers have the largest sum.
+/// How many of the first numbers have the largest sum: any number from `least` to `most`.
+struct BestStart {
+  std::uint32_t least = 0, most = 0;
+};
+
 template <typename Iterator>
-std::uint32_t length_of_best_start(Iterator first, Iterator last) {
-  double sum = 0.0, most = 0.0;
-  std::uint32_t length = 0, best = 0;
+BestStart best_start(Iterator first, Iterator last) {
+  double sum = 0.0, largest = 0.0;
+  std::uint32_t length = 0;
+  BestStart best;
   for (; first != last; ++first) {
     sum += *first, ++length;
-    if (sum > most) most = sum, best = length;
+    if (sum > largest) largest = sum, best.least = length;
+    if (sum == largest) best.most = length;
   }
   return best;
+}
+
+/// Returns the seam that parts best what fits where it is from what fits if moved.
+Seam parting_of(const std::vector<double>& here, const std::vector<double>& moved,
+                const LineRange& range) {
+  std::vector<double> preference;
+  for (std::size_t i = 0; i < here.size(); ++i) preference.push_back(here[i] - moved[i]);
+  const BestStart split = best_start(preference.begin(), preference.end());
+  return {range.first + split.least, range.first + split.most};
 }
 
 /// Returns a pose of which a part of a move was made.
@@ -54,22 +69,26 @@ Seam seam_of(const PosedLines& lines, const LineRange& range, const Pose& T_star
              const KnownScene& scene, const AssociationGates& gates) {
   const std::vector<double> here = gains(lines, range, Pose::Identity(), scene, gates),
                             moved = gains(lines, range, T_start_start, scene, gates);
-  const std::uint32_t stay = length_of_best_start(here.begin(), here.end());
-  const std::uint32_t move = length_of_best_start(moved.rbegin(), moved.rend());
+  const std::uint32_t stay = best_start(here.begin(), here.end()).least;
+  const std::uint32_t move = best_start(moved.rbegin(), moved.rend()).least;
   const auto count = static_cast<std::uint32_t>(here.size());
-  std::vector<double> preference;
-  for (std::size_t i = 0; i < here.size(); ++i) preference.push_back(here[i] - moved[i]);
-  const std::uint32_t split = length_of_best_start(preference.begin(), preference.end());
-  if (stay + move > count) return {range.first + split, range.first + split};  // some fit both ways
+  const Seam parting = parting_of(here, moved, range);
+  if (stay + move > count) return parting;  // some fit both ways
   Seam seam{range.first + stay, range.end - move};
-  if (split != stay && split != count - move) seam.split = range.first + split;
+  if (parting.first != seam.first && parting.first != seam.end) seam.split = parting.first;
   return seam;
+}
+
+Seam parting_of(const PosedLines& lines, const LineRange& range, const Pose& T_start_start,
+                const KnownScene& scene, const AssociationGates& gates) {
+  return parting_of(gains(lines, range, Pose::Identity(), scene, gates),
+                    gains(lines, range, T_start_start, scene, gates), range);
 }
 
 std::uint32_t end_of_fitting(const PosedLines& lines, const LineRange& range,
                              const KnownScene& scene, const AssociationGates& gates) {
   const std::vector<double> here = gains(lines, range, Pose::Identity(), scene, gates);
-  return range.first + length_of_best_start(here.begin(), here.end());
+  return range.first + best_start(here.begin(), here.end()).least;
 }
 
 std::uint32_t last_seen(const PosedLines& lines, const LineRange& range, const Pose& T_start_start,

@@ -23,6 +23,11 @@ struct Seam {
 Seam seam_of(const PosedLines& lines, const LineRange& range, const Pose& T_start_start,
              const KnownScene& scene, const AssociationGates& gates);
 
+/// Returns the same by the lines that fit only one way: it holds those in between that fit both
+/// ways or none.
+Seam parting_of(const PosedLines& lines, const LineRange& range, const Pose& T_start_start,
+                const KnownScene& scene, const AssociationGates& gates);
+
 /// Returns one behind the last line of a range that fits known walls where it is, if all before it
 /// are to fit as well.
 std::uint32_t end_of_fitting(const PosedLines& lines, const LineRange& range,

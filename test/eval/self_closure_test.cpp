@@ -97,6 +97,31 @@ TEST(SelfClosure, FindsWhereAShiftWasMadeAmongNewWalls) {
   expect_found_in_the_flat(self_corrected(68, "shift=135.4:0.5"));
 }
 
+/// For 49 s after the shift along a corridor, all that is in view is new, and fits where it is. The
+/// move is found then, and what was seen around the shift tells where it was made.
+TEST(SelfClosure, FindsWhereACorridorWasShifted) {
+  expect_found_in_the_flat(self_corrected(73, "shift=80.5:0.5"));
+}
+
+/// The robot was pushed 50 s after it had seen a known room. Drift on that way explained the move
+/// too.
+TEST(SelfClosure, FindsAPushAmongWallsThatWereSeenBefore) {
+  expect_found_in_the_flat(self_corrected(80, "push=124.5:2"));
+}
+
+/// Some lines that were taken during the push see the floor alone.
+TEST(SelfClosure, PutsTheLinesOfAPushWhereTheRobotWas) {
+  const Summary summary = self_corrected(64, "push=204.8:2");
+  expect_found_in_the_flat(summary);
+  EXPECT_LT(summary.estimate->error.largest_m, 0.3);
+}
+
+/// With the move, new walls around a corner lie on those before it by chance, more clearly than the
+/// walls around the shift.
+TEST(SelfClosure, TakesNoCornerForTheShift) {
+  expect_found_in_the_flat(self_corrected(64, "shift=134.7:-0.5"));
+}
+
 /// Turned by 90 degrees, two thirds of the walls of a new room lie on those of a known one, 1.3 m
 /// away. But the robot would have jumped by 2.2 m where it was pushed.
 TEST(SelfClosure, MovesNothingFartherThanAPushGoes) {

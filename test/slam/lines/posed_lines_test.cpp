@@ -109,6 +109,15 @@ TEST(PosedLines, ForgetASlipThatIsTakenBack) {
   EXPECT_FALSE(lines.is_slip(7));
 }
 
+TEST(PosedLines, CountTheStepsOfASlip) {
+  Observations observations({});
+  PosedLines lines(observations);
+  for (const std::uint32_t line : {3U, 6U, 7U, 8U}) lines.set_slip(line, true);
+  EXPECT_EQ(lines.slip_length(2), 0U);
+  EXPECT_EQ(lines.slip_length(3), 1U);
+  for (const std::uint32_t line : {6U, 7U, 8U}) EXPECT_EQ(lines.slip_length(line), 3U);
+}
+
 /// Twice the way, which is known well across and not at all along, and a count of the questions.
 class TwiceTheWay : public OdometrySource {
  public:

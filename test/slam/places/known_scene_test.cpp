@@ -6,6 +6,7 @@
 
 #include <numeric>
 
+#include "slam/places/evident_slip.hpp"
 #include "slam/places/history_cost.hpp"
 #include "slam/places/seam.hpp"
 #include "test/modeler/mini_world.hpp"
@@ -17,11 +18,12 @@ constexpr double kRadius_m = 1.5;  // of the window that is searched
 
 const AssociationGates kGates{3.2, 0.12};
 
-/// A room that is seen for eight seconds, from its middle unless a motion is given. A door of 1 m
-/// leads through its wall at x = 3.
+/// A room that is seen for eight seconds unless told otherwise, from its middle unless a motion is
+/// given. A door of 1 m leads through its wall at x = 3.
 struct SeenRoom {
-  explicit SeenRoom(const mini_world::Motion& motion = mini_world::tilting_in_place())
-      : modeler(mini_world::model_of(mini_world::drive(with_door(), motion, 0.0, 8.0))),
+  explicit SeenRoom(const mini_world::Motion& motion = mini_world::tilting_in_place(),
+                    double seconds = 8.0)
+      : modeler(mini_world::model_of(mini_world::drive(with_door(), motion, 0.0, seconds))),
         lines(modeler.observations()) {
     while (lines.has_next()) {
       lines.add_next();
@@ -140,6 +142,63 @@ TEST(Seam, LiesWhereLinesAreTorn) {
   move_behind(seam, back, room.lines);
   EXPECT_LT(angle_of(room.lines.T_start_base(300)), 1e-3);
   EXPECT_LT(angle_of(room.lines.T_start_base(100)), 1e-3);
+}
+
+TEST(Seam, HoldsAllLinesThatFitBothWays) {
+  SeenRoom room;
+  const std::vector<std::uint32_t> older(room.all.begin(), room.all.begin() + 120);
+  const KnownScene scene(room.lines, older, room.settings);
+  const Seam seam = seam_of(room.lines, {120, 200}, Pose::Identity(), scene, kGates);
+  EXPECT_EQ(seam.first, 120U);
+  EXPECT_EQ(seam.end, 200U);
+  EXPECT_EQ(seam.split, std::nullopt);
+}
+
+/// A room that is driven through for 20 s.
+struct DrivenRoom : SeenRoom {
+  DrivenRoom()
+      : SeenRoom({mini_world::around_the_middle, mini_world::to_and_fro, mini_world::no_drift},
+                 20.0) {}
+  /// Moves the lines from one on. Returns the move that would take them back.
+  Pose slip(std::uint32_t line) {
+    const Pose move = in_space({0.4, 0.3, 0.2});
+    for (std::uint32_t i = line; i < lines.size(); ++i) {
+      lines.set_pose(i, move * lines.T_start_base(i));
+    }
+    return move.inverse(Eigen::Isometry);
+  }
+};
+
+TEST(EvidentSlip, LiesWhereLinesFitWhatTheyHaveJustSeenOnlyIfMoved) {
+  DrivenRoom room;
+  const Pose back = room.slip(450);
+  const auto slip = evident_slip(room.lines, {1, room.lines.size()}, back, room.settings);
+  ASSERT_TRUE(slip);
+  EXPECT_NEAR(slip->seam.first, 450, 10);
+  EXPECT_NEAR(slip->seam.end, 450, 10);
+  EXPECT_GT(slip->ribbons, 100.0);
+}
+
+TEST(EvidentSlip, IsNowhereInLinesThatFitWhereTheyAre) {
+  DrivenRoom room;
+  const LineRange all{1, room.lines.size()};
+  EXPECT_FALSE(evident_slip(room.lines, all, in_space({0.4, 0.3, 0.2}), room.settings));
+  EXPECT_FALSE(evident_slip(room.lines, all, Pose::Identity(), room.settings));
+}
+
+TEST(EvidentSlip, IsNotThatOfAnotherMove) {
+  DrivenRoom room;
+  room.slip(450);
+  const LineRange all{1, room.lines.size()};
+  EXPECT_FALSE(evident_slip(room.lines, all, in_space({0.0, 1.0, -0.4}), room.settings));
+}
+
+/// Three seconds are looked at, behind the second in which the robot may be slipping still.
+TEST(EvidentSlip, IsNotToldFromTooFewLinesBehindIt) {
+  DrivenRoom room;
+  const std::uint32_t line = room.lines.size() - 60;
+  const Pose back = room.slip(line);
+  EXPECT_FALSE(evident_slip(room.lines, {line, room.lines.size()}, back, room.settings));
 }
 
 TEST(MostStrained, IsTheSecondThatContradictsItsOdometry) {

@@ -1,0 +1,99 @@
+// SPDX-FileCopyrightText: 2026 ribbon_mapper authors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "slam/places/evident_slip.hpp"
+
+#include <algorithm>
+#include <numeric>
+#include <vector>
+
+namespace ribbon_mapper::slam {
+namespace {
+
+constexpr double kSlip_s = 1.0;  // half of a push
+
+/// How far some lines fit known walls.
+struct Comparison {
+  Agreement here, moved;  // where the lines are, and if they are moved
+  double ribbon_m = 1.0;  // mean length of their ribbons
+
+  /// Returns how many more ribbons fit if moved.
+  double gain() const { return (moved.evidence_m() - here.evidence_m()) / ribbon_m; }
+  /// Returns true if most of what does not fit where it is fits if moved. Else, it is new ground
+  /// that happens to be like what is known.
+  bool is_explained(const RelocaliserConfig& config) const {
+    return moved.known() >= config.least_known && 1.0 - moved.known() <= 0.5 * (1.0 - here.known());
+  }
+};
+
+/// Where a robot may have slipped, and what is seen around it.
+class Place {
+ public:
+  Place(std::uint32_t line, const PosedLines& lines, const EstimateSettings& settings)
+      : lines_(lines), settings_(settings), line_(line) {
+    const std::uint32_t first = lines_within(kSlip_s, lines, line, lines.size()).end;
+    behind_ = lines_within(0.5 * query_s(), lines, first, lines.size());
+  }
+
+  /// Compares the lines behind the place with what was seen before it, where they are and moved.
+  Comparison compared(const Pose& T_start_start) const {
+    if (behind_.end == lines_.size()) return {};  // too few lines yet
+    const KnownScene scene = scene_before(line_);
+    return {agreement_with(scene, Pose::Identity()), agreement_with(scene, T_start_start),
+            ribbon_m()};
+  }
+
+  /// Returns the seam at the place. The slip may have begun before it.
+  Seam seam(const Pose& T_start_start) const {
+    const std::uint32_t first =
+        std::max<std::uint32_t>(1, lines_before(2.0 * kSlip_s, lines_, line_).first);
+    return parting_of(lines_, {first, behind_.end}, T_start_start, scene_before(first), gates());
+  }
+
+ private:
+  const AssociationGates& gates() const { return settings_.estimate.gates.front(); }
+  double query_s() const { return settings_.estimate.relocaliser.query_s; }
+  KnownScene scene_before(std::uint32_t end) const {
+    const LineRange before = lines_before(query_s(), lines_, end);
+    std::vector<std::uint32_t> indices(before.end - before.first);
+    std::iota(indices.begin(), indices.end(), before.first);
+    return {lines_, indices, settings_};
+  }
+  Agreement agreement_with(const KnownScene& scene, const Pose& T_start_start) const {
+    return agreement_of(lines_, behind_, T_start_start, scene, gates());
+  }
+  /// Returns the mean length of the ribbons behind the place.
+  double ribbon_m() const {
+    const std::uint32_t first = lines_.first_ribbon(behind_.first),
+                        end = lines_.first_ribbon(behind_.end);
+    double length_m = 0.0;
+    for (std::uint32_t i = first; i < end; ++i) length_m += lines_.ribbon(i).length_m;
+    return end > first ? length_m / (end - first) : 1.0;
+  }
+
+  const PosedLines& lines_;
+  const EstimateSettings& settings_;
+  std::uint32_t line_;
+  LineRange behind_;
+};
+
+}  // namespace
+
+std::optional<EvidentSlip> evident_slip(const PosedLines& lines, const LineRange& range,
+                                        const Pose& T_start_start,
+                                        const EstimateSettings& settings) {
+  std::optional<Place> best;
+  Comparison most;
+  for (std::uint32_t i = range.first; i < range.end;
+       i = lines_within(kSlip_s, lines, i, range.end).end) {
+    const Place place(i, lines, settings);
+    const Comparison compared = place.compared(T_start_start);
+    if (compared.gain() > most.gain()) most = compared, best.emplace(place);
+  }
+  if (most.gain() < settings.registration.min_ribbons ||
+      !most.is_explained(settings.estimate.relocaliser)) {
+    return std::nullopt;
+  }
+  return EvidentSlip{best->seam(T_start_start), most.gain()};
+}
+
+}  // namespace ribbon_mapper::slam
