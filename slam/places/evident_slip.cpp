@@ -25,6 +25,12 @@ struct Comparison {
   }
 };
 
+std::vector<std::uint32_t> indices_of(const LineRange& range) {
+  std::vector<std::uint32_t> indices(range.end - range.first);
+  std::iota(indices.begin(), indices.end(), range.first);
+  return indices;
+}
+
 /// Where a robot may have slipped, and what is seen around it.
 class Place {
  public:
@@ -37,27 +43,27 @@ class Place {
   /// Compares the lines behind the place with what was seen before it, where they are and moved.
   Comparison compared(const Pose& T_start_start) const {
     if (behind_.end == lines_.size()) return {};  // too few lines yet
-    const KnownScene scene = scene_before(line_);
+    const KnownScene scene(lines_, indices_of(lines_before(query_s(), lines_, line_)), settings_);
     return {agreement_with(scene, Pose::Identity()), agreement_with(scene, T_start_start),
             ribbon_m()};
   }
 
-  /// Returns the seam at the place. The slip may have begun before it.
+  /// Returns the seam at the place, by what is seen on both sides of it. The slip may have begun
+  /// before it.
   Seam seam(const Pose& T_start_start) const {
     const std::uint32_t first =
         std::max<std::uint32_t>(1, lines_before(2.0 * kSlip_s, lines_, line_).first);
-    return parting_of(lines_, {first, behind_.end}, T_start_start, scene_before(first), gates());
+    PosedLines joined = lines_;
+    move_behind({behind_.first, behind_.first}, T_start_start, joined);
+    std::vector<std::uint32_t> sides = indices_of(lines_before(query_s(), lines_, first));
+    for (const std::uint32_t i : indices_of(behind_)) sides.push_back(i);
+    const KnownScene scene(joined, sides, settings_);
+    return parting_of(lines_, {first, behind_.first}, T_start_start, scene, gates());
   }
 
  private:
   const AssociationGates& gates() const { return settings_.estimate.gates.front(); }
   double query_s() const { return settings_.estimate.relocaliser.query_s; }
-  KnownScene scene_before(std::uint32_t end) const {
-    const LineRange before = lines_before(query_s(), lines_, end);
-    std::vector<std::uint32_t> indices(before.end - before.first);
-    std::iota(indices.begin(), indices.end(), before.first);
-    return {lines_, indices, settings_};
-  }
   Agreement agreement_with(const KnownScene& scene, const Pose& T_start_start) const {
     return agreement_of(lines_, behind_, T_start_start, scene, gates());
   }

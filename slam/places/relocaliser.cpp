@@ -245,8 +245,12 @@ bool Relocaliser::choose(const Finding& finding, PosedLines& lines, const Odomet
              text_of(choice->before, choice->after));
   forget_lines();
   if (!is_found) return true;
-  way_back_ = Candidate{chosen.T_start_start.inverse(Eigen::Isometry), chosen.seam, false,
-                        Decision::Kind::undone};
+  way_back_ = Candidate{chosen.T_start_start.inverse(Eigen::Isometry),
+                        chosen.seam,
+                        false,
+                        Decision::Kind::undone,
+                        0.0,
+                        -chosen.saved};
   way_back_until_ =
       lines.stamp(lines.size() - 1) + from_seconds(settings_.estimate.relocaliser.probation_s);
   return true;

@@ -109,6 +109,18 @@ TEST(SelfClosure, FindsAPushAmongWallsThatWereSeenBefore) {
   expect_found_in_the_flat(self_corrected(80, "push=124.5:2"));
 }
 
+/// The shift was found at once. Half a minute later, new walls that look like old ones speak
+/// against it, by less than the walls around it speak for it.
+TEST(SelfClosure, KeepsAMoveThatTheWallsAroundItHaveShown) {
+  expect_found_in_the_flat(self_corrected(83, "shift=19.7:-0.5"));
+}
+
+/// The robot turned into a room just before the shift. What it saw before the turn does not tell
+/// where it was shifted, what it sees behind the shift does.
+TEST(SelfClosure, PlacesAShiftByWhatIsSeenOnBothSidesOfIt) {
+  expect_found_in_the_flat(self_corrected(82, "shift=115.3:-0.5"));
+}
+
 /// Some lines that were taken during the push see the floor alone.
 TEST(SelfClosure, PutsTheLinesOfAPushWhereTheRobotWas) {
   const Summary summary = self_corrected(64, "push=204.8:2");
