@@ -196,12 +196,13 @@ std::optional<Relocaliser::Choice> Relocaliser::best_of(const std::vector<Candid
   for (const Candidate& candidate : histories) {
     PosedLines history = history_with(candidate, lines, noise);
     const HistoryCost after = history_cost(history, compared, settings_);
-    const double cost = after.total - candidate.saved;
     // Ribbons seen through known walls contradict them: they are not explained either.
     const bool is_move = candidate.kind == Decision::Kind::found && before.ribbon_m > 0.0;
-    const double total = cost - (is_move ? finding.move->freed_m / before.ribbon_m : 0.0);
-    // Known walls may be wrong themselves: what is seen through them moves nothing alone.
-    if (cost >= before.total || total >= least) continue;
+    const double freed = is_move ? finding.move->freed_m / before.ribbon_m : 0.0;
+    const double total = after.total - candidate.saved - freed;
+    // Known walls may be wrong themselves, and other places look alike: what is seen through walls
+    // or shows a slip moves nothing alone.
+    if (after.total >= before.total || total >= least) continue;
     // New ground may look like known ground in part.
     const bool explains_more =
         after.planes < before.planes && after.unexplained <= before.unexplained;
