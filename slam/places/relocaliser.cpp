@@ -15,6 +15,7 @@ namespace ribbon_mapper::slam {
 namespace {
 
 constexpr double kShortSeam_s = 3.0;  // longer than a slip or a push
+constexpr double kMemory_s = 300.0;   // each second that is asked for a slip costs time
 constexpr double kPivot = 0.25;       // a turn displaces it by less of what it does to the robot
 
 /// Returns false if a source beside the wheels has measured the steps of a seam, and excludes that
@@ -118,12 +119,12 @@ bool Relocaliser::is_possible(const Seam& slip, const Pose& T_start_start,
 }
 
 /// Returns the history in which a move was made by a slip that the lines around it show, if any
-/// do. It may lie as far before the last known ground as the window is wide.
+/// do. It may lie as far before the last known ground as the window is wide, and not too long ago.
 std::optional<Relocaliser::Candidate> Relocaliser::evident_history(const FoundMove& move,
                                                                    const PosedLines& lines) const {
   const std::uint32_t known = std::min(move.seam.first, move.last_seen);
   const std::uint32_t first = lines_before(settings_.estimate.window_s, lines, known).first;
-  const LineRange doubted{std::max<std::uint32_t>(1, first), lines.size()};
+  const LineRange doubted{std::max(first, first_within(lines, kMemory_s)), lines.size()};
   const auto slip = evident_slip(lines, doubted, move.T_start_start, settings_);
   if (!slip || !is_possible(slip->seam, move.T_start_start, lines)) return std::nullopt;
   return Candidate{move.T_start_start, slip->seam, true, Decision::Kind::found, 0.0, slip->ribbons};
