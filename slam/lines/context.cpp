@@ -16,9 +16,8 @@ constexpr std::uint32_t kLinesOfPlace = 20;
 
 std::uint32_t first_within(const PosedLines& lines, double seconds) {
   const std::uint32_t last = lines.size() - 1;
-  std::uint32_t first = last;
-  while (first > 1 && lines.seconds_between(first - 1, last) < seconds) --first;
-  return first;
+  const std::uint32_t first = lines_before(seconds, lines, last).first;
+  return std::min(last, std::max<std::uint32_t>(1, first));
 }
 
 LineRange newest_within(const PosedLines& lines, double seconds) {

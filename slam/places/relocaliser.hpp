@@ -19,10 +19,10 @@ namespace ribbon_mapper::slam {
 /// A move may have been made by a slip at one moment, or by drift since the place was seen for the
 /// last time. Where lines show the slip by themselves, see EvidentSlip, it was made there. Else,
 /// each is tried, and the history of least cost is kept, see HistoryCost: with none of the moves if
-/// they save less than the cost of a plane. A move that saves ribbons alone, or goes
-/// farther than a slip, is made when two looks find it. One that leaves most of what is in view
-/// unknown has to explain more ribbons by fewer planes. A move is taken back if the history without
-/// it costs less later.
+/// they save less than the cost of a plane. A move that saves ribbons alone, or goes farther than a
+/// slip, is made when two looks find it. One that leaves most of what is in view unknown has to
+/// explain more ribbons by fewer planes. A move is taken back if the history without it costs less
+/// later.
 class Relocaliser {
  public:
   /// Starts on known ground.

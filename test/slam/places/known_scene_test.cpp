@@ -33,6 +33,11 @@ struct SeenRoom {
     all.resize(lines.size());
     std::iota(all.begin(), all.end(), 0U);
   }
+  void move_from(std::uint32_t first, const Pose& move) {
+    for (std::uint32_t i = first; i < lines.size(); ++i) {
+      lines.set_pose(i, move * lines.T_start_base(i));
+    }
+  }
   static mini_world::World with_door() {
     mini_world::World world = mini_world::room();
     const auto is_at_3 = [](const mini_world::Face& face) { return face.normal.x() < -0.5; };
@@ -84,9 +89,7 @@ TEST(PlaceSearch, FindsTheMoveThatWasMade) {
   const std::vector<std::uint32_t> older(room.all.begin(), room.all.begin() + 160);
   const KnownScene scene(room.lines, older, room.settings);
   const Pose move = in_space({0.4, -0.7, 0.25});
-  for (std::uint32_t i = 160; i < room.lines.size(); ++i) {
-    room.lines.set_pose(i, move * room.lines.T_start_base(i));
-  }
+  room.move_from(160, move);
   const LineRange range{160, room.lines.size()};
   const PlaceSearch search(room.lines, range, scene, room.settings.estimate);
   const auto moves = search.moves_about(range.end - 1, kRadius_m);
@@ -132,9 +135,7 @@ TEST(Seam, LiesWhereLinesAreTorn) {
   const std::vector<std::uint32_t> older(room.all.begin(), room.all.begin() + 120);
   const KnownScene scene(room.lines, older, room.settings);
   const Pose move = in_space({0.0, 0.0, 0.3});
-  for (std::uint32_t i = 200; i < room.lines.size(); ++i) {
-    room.lines.set_pose(i, move * room.lines.T_start_base(i));
-  }
+  room.move_from(200, move);
   const Pose back = move.inverse(Eigen::Isometry);
   const Seam seam = seam_of(room.lines, {120, room.lines.size()}, back, scene, kGates);
   EXPECT_NEAR(seam.first, 200, 10);
@@ -162,9 +163,7 @@ struct DrivenRoom : SeenRoom {
   /// Moves the lines from one on. Returns the move that would take them back.
   Pose slip(std::uint32_t line) {
     const Pose move = in_space({0.4, 0.3, 0.2});
-    for (std::uint32_t i = line; i < lines.size(); ++i) {
-      lines.set_pose(i, move * lines.T_start_base(i));
-    }
+    move_from(line, move);
     return move.inverse(Eigen::Isometry);
   }
 };
@@ -207,9 +206,7 @@ TEST(MostStrained, IsTheSecondThatContradictsItsOdometry) {
   EXPECT_EQ(most_strained(room.lines, all, 3.0), std::nullopt);
   const Pose there = room.lines.T_start_base(200);
   const Pose move = there * in_space({0.0, 0.0, 0.2}) * there.inverse(Eigen::Isometry);
-  for (std::uint32_t i = 200; i < room.lines.size(); ++i) {
-    room.lines.set_pose(i, move * room.lines.T_start_base(i));
-  }
+  room.move_from(200, move);
   const std::optional<std::uint32_t> strained = most_strained(room.lines, all, 3.0);
   ASSERT_TRUE(strained);
   EXPECT_LE(*strained, 200U);
@@ -223,9 +220,7 @@ TEST(HistoryCost, IsLessWithoutATear) {
   SeenRoom room;
   const HistoryCost whole = history_cost(room.lines, room.all, room.settings);
   const Pose move = in_space({0.3, 0.2, 0.3});
-  for (std::uint32_t i = 200; i < room.lines.size(); ++i) {
-    room.lines.set_pose(i, move * room.lines.T_start_base(i));
-  }
+  room.move_from(200, move);
   const HistoryCost torn = history_cost(room.lines, room.all, room.settings);
   EXPECT_GT(torn.planes, whole.planes);
   EXPECT_GT(torn.total, whole.total);
