@@ -95,11 +95,9 @@ std::optional<EvidentSlip> evident_slip(const PosedLines& lines, const LineRange
     const Comparison compared = place.compared(T_start_start);
     if (compared.gain() > most.gain()) most = compared, best.emplace(place);
   }
-  if (most.gain() < settings.registration.min_ribbons ||
-      !most.is_explained(settings.estimate.relocaliser)) {
-    return std::nullopt;
-  }
-  return EvidentSlip{best->seam(T_start_start), most.gain()};
+  if (most.gain() < settings.registration.min_ribbons) return std::nullopt;
+  return EvidentSlip{best->seam(T_start_start), most.gain(),
+                     most.is_explained(settings.estimate.relocaliser)};
 }
 
 }  // namespace ribbon_mapper::slam

@@ -10,10 +10,11 @@
 namespace ribbon_mapper::slam {
 
 /// A slip that the lines around it show by themselves: those behind it fit what was seen just
-/// before it if they are moved, and most of them fit it where they are no longer.
+/// before it if they are moved.
 struct EvidentSlip {
   Seam seam;       ///< where the wheels have slipped
   double ribbons;  ///< how many more ribbons behind it lie on walls seen just before it, if moved
+  bool is_explained;  ///< most of what did not fit there fits if moved
 };
 
 /// Returns the slip in a range of lines that is most evident if a move, `T_start_start`, is right.

@@ -215,7 +215,7 @@ void MoveFinder::ask(const Question& question, const PosedLines& lines, const Kn
   if (question.range.end == lines.size() && is_contradiction(now, config)) {
     finding_.doubt = text_of(now);
   }
-  const PlaceSearch search(lines, question.range, scene, settings_.estimate);
+  const PlaceSearch search(lines, question.range, scene, settings_);
   const double radius = radius_m(question.torn_from, lines);
   const auto search_about = [&](std::uint32_t pivot_line) {
     std::vector<PlaceMove> moves = search.moves_about(pivot_line, radius);

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "slam/places/place_search.hpp"
 
+#include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <cmath>
 #include <utility>
@@ -82,19 +83,38 @@ Agreement agreement_of(const PosedLines& lines, const LineRange& range, const Po
   return agreement;
 }
 
+std::optional<Eigen::Vector2d> open_direction(const PosedLines& lines, const LineRange& range,
+                                              const Pose& T_start_start, const KnownScene& scene,
+                                              const EstimateSettings& settings) {
+  Eigen::Matrix2d across = Eigen::Matrix2d::Zero();  // ribbons on walls across a direction
+  for (std::uint32_t i = lines.first_ribbon(range.first); i < lines.first_ribbon(range.end); ++i) {
+    const PosedRibbon ribbon(lines.ribbon(i),
+                             T_start_start * lines.T_start_base(lines.ribbon(i).pose));
+    if (!is_of_wall(ribbon.normal)) continue;
+    const KnownScene::Wall* wall = scene.wall_of(ribbon, settings.estimate.gates.front());
+    if (wall == nullptr) continue;
+    const Eigen::Vector2d normal = wall->plane.normal().head<2>();
+    across += normal * normal.transpose();
+  }
+  Eigen::SelfAdjointEigenSolver<Eigen::Matrix2d> axes;
+  axes.computeDirect(across);
+  if (axes.eigenvalues()[0] >= settings.registration.min_ribbons) return std::nullopt;
+  return axes.eigenvectors().col(0);
+}
+
 PlaceSearch::PlaceSearch(const PosedLines& lines, const LineRange& range, const KnownScene& scene,
-                         const EstimateConfig& config)
+                         const EstimateSettings& settings)
     : lines_(lines),
       range_(range),
       scene_(scene),
-      config_(config),
+      settings_(settings),
       here_(planar(lines.T_start_base(range.end - 1))),
       seen_(thinned(wall_points(lines, range), kSpacing_m)),
       known_(thinned(scene.points(), 0.5 * kSpacing_m)),
       search_(known_) {}
 
 std::vector<PlaceMove> PlaceSearch::moves_about(std::uint32_t pivot_line, double radius_m) const {
-  const RelocaliserConfig& limits = config_.relocaliser;
+  const RelocaliserConfig& limits = settings_.estimate.relocaliser;
   const PlanarPose pivot = planar(lines_.T_start_base(pivot_line));
   const auto found =
       search_.find(moved(seen_, inverse(pivot)), pivot,
@@ -116,18 +136,25 @@ std::vector<PlaceMove> PlaceSearch::moves_about(std::uint32_t pivot_line, double
 }
 
 /// Returns the move that takes the newest line near a guess, matched to the surfaces of the scene;
-/// nothing if the match slides away from it.
+/// nothing if the match slides away from it. Along a bare wall, only its ends hold a match, and
+/// they are where it was not seen any farther: there, the line stays where it is.
 std::optional<PlaceMove> PlaceSearch::move_to(const PlanarPose& guess,
                                               const SurfaceMap& surfaces) const {
   const LevelPoints points = moved(seen_, inverse(here_));
-  const PlanarPose there = match(points, surfaces, guess, std::nullopt, MatchConfig{}).T_map_base;
+  PlanarPose there = match(points, surfaces, guess, std::nullopt, MatchConfig{}).T_map_base;
   const PlanarPose slid = relative(guess, there);
   if (slid.translation().norm() > kMaxSlide_m || std::abs(slid.yaw_rad) > kMaxSlide_rad) {
     return std::nullopt;
   }
-  const Pose T_start_start = in_space(there * inverse(here_));
-  return PlaceMove{T_start_start, relative(here_, there),
-                   agreement_of(lines_, range_, T_start_start, scene_, config_.gates.front())};
+  const auto T_start_start = [&] { return in_space(there * inverse(here_)); };
+  if (const auto open = open_direction(lines_, range_, T_start_start(), scene_, settings_)) {
+    const double along_m = open->dot(there.translation() - here_.translation());
+    there.x_m -= along_m * open->x();
+    there.y_m -= along_m * open->y();
+  }
+  return PlaceMove{
+      T_start_start(), relative(here_, there),
+      agreement_of(lines_, range_, T_start_start(), scene_, settings_.estimate.gates.front())};
 }
 
 }  // namespace ribbon_mapper::slam

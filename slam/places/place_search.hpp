@@ -58,16 +58,24 @@ bool is_same_move(const PlanarPose& a, const PlanarPose& b);
 /// Returns the same for moves in start, by what they do to a robot at `T_start_base`.
 bool is_same_move(const Pose& a, const Pose& b, const Pose& T_start_base);
 
+/// Returns the direction in the plane in which no known wall holds lines that are moved by
+/// `T_start_start`: fewer ribbons than it takes to believe in a plane lie on walls across it.
+/// Nothing if they are held in all directions.
+std::optional<Eigen::Vector2d> open_direction(const PosedLines& lines, const LineRange& range,
+                                              const Pose& T_start_start, const KnownScene& scene,
+                                              const EstimateSettings& settings);
+
 /// The search for the place of some lines in a known scene.
 class PlaceSearch {
  public:
   /// Prepares it. All that is passed must outlive the search.
   PlaceSearch(const PosedLines& lines, const LineRange& range, const KnownScene& scene,
-              const EstimateConfig& config);
+              const EstimateSettings& settings);
 
   /// Returns the moves within a window that put most ribbons on known walls, the best first: one,
   /// or two if another one puts nearly as much there, or none. The window reaches `radius_m` from
-  /// the pose of `pivot_line`: a slip there turns all later poses about it.
+  /// the pose of `pivot_line`: a slip there turns all later poses about it. In an open direction,
+  /// the newest line stays where it is.
   std::vector<PlaceMove> moves_about(std::uint32_t pivot_line, double radius_m) const;
 
  private:
@@ -76,7 +84,7 @@ class PlaceSearch {
   const PosedLines& lines_;
   const LineRange range_;
   const KnownScene& scene_;
-  const EstimateConfig& config_;
+  const EstimateSettings& settings_;
   const PlanarPose here_;           ///< of the newest line
   const LevelPoints seen_;          ///< by the lines, in start
   const LevelPoints known_;         ///< of the scene

@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "slam/places/candidate_history.hpp"
 #include "slam/places/decision.hpp"
 #include "slam/places/history_cost.hpp"
 #include "slam/places/move_finder.hpp"
@@ -16,13 +17,11 @@ namespace ribbon_mapper::slam {
 /// Moves the newest poses onto what older lines have seen, if the robot is on known ground at a
 /// wrong pose.
 ///
-/// A move may have been made by a slip at one moment, or by drift since the place was seen for the
-/// last time. Where lines show the slip by themselves, see EvidentSlip, it was made there. Else,
-/// each is tried, and the history of least cost is kept, see HistoryCost: with none of the moves if
-/// they save less than the cost of a plane. A move that saves ribbons alone, or goes farther than a
-/// slip, is made when two looks find it. One that leaves most of what is in view unknown has to
-/// explain more ribbons by fewer planes. A move is taken back if the history without it costs less
-/// later.
+/// Of the histories in which a move may have been made, see candidate_histories(), the one of least
+/// cost is kept, see HistoryCost: none of them if they save less than the cost of a plane. A move
+/// that saves ribbons alone, or goes farther than a slip, is made when two looks find it. One that
+/// leaves most of what is in view unknown has to explain more ribbons by fewer planes. A move is
+/// taken back if the history without it costs less later.
 class Relocaliser {
  public:
   /// Starts on known ground.
@@ -41,18 +40,9 @@ class Relocaliser {
   const std::vector<Decision>& decisions() const { return decisions_; }
 
  private:
-  /// A history in which lines are moved.
-  struct Candidate {
-    Pose T_start_start;   // of the lines behind the seam
-    Seam seam;            // before it, lines stay; in it, they are moved in part
-    bool is_slip;         // the odometry has failed within the seam
-    Decision::Kind kind;  // if it is chosen
-    double lead = 0.0;    // the cost that later candidates must save beyond it
-    double saved = 0.0;   // the cost that it saves where the wheels have slipped
-  };
   /// A candidate that costs less than no move.
   struct Choice {
-    Candidate candidate;
+    CandidateHistory candidate;
     PosedLines lines;           // moved and adjusted
     HistoryCost before, after;  // without it and with it
   };
@@ -61,24 +51,21 @@ class Relocaliser {
     Pose T_start_start;
     Time stamp;  // of the newest line
   };
-  double max_scale(const OdometryNoise& noise) const;
-  bool is_possible(const Seam& slip, const Pose& T_start_start, const PosedLines& lines) const;
-  std::optional<Candidate> evident_history(const FoundMove& move, const PosedLines& lines) const;
-  std::vector<Candidate> candidates(const Finding& finding, const PosedLines& lines,
-                                    const OdometryNoise& noise) const;
-  PosedLines history_with(const Candidate& candidate, const PosedLines& lines,
-                          const OdometryNoise& noise) const;
-  std::optional<Choice> best_of(const std::vector<Candidate>& histories, const Finding& finding,
-                                const PosedLines& lines, const OdometryNoise& noise) const;
-  bool is_far(const FoundMove& move, const PosedLines& lines) const;
+  std::vector<CandidateHistory> candidates(const Finding& finding, const PosedLines& lines,
+                                           const OdometryNoise& noise) const;
+  PosedLines history_with(const CandidateHistory& candidate, std::uint32_t first,
+                          const PosedLines& lines, const OdometryNoise& noise) const;
+  std::optional<Choice> best_of(const std::vector<CandidateHistory>& histories,
+                                const Finding& finding, const PosedLines& lines,
+                                const OdometryNoise& noise) const;
   bool is_clear(const Choice& choice, const FoundMove& move, const PosedLines& lines) const;
-  bool propose(const Candidate& candidate, const PosedLines& lines);
+  bool propose(const CandidateHistory& candidate, const PosedLines& lines);
   bool choose(const Finding& finding, PosedLines& lines, const OdometryNoise& noise);
   void decide(Decision::Kind kind, const PosedLines& lines, const std::string& reason);
 
   EstimateSettings settings_;
   MoveFinder finder_;
-  std::optional<Candidate> way_back_;  // what takes the last move back
+  std::optional<CandidateHistory> way_back_;  // what takes the last move back
   Time way_back_until_{0};
   std::optional<Proposal> proposal_;
   bool is_lost_ = false;

@@ -91,7 +91,7 @@ TEST(PlaceSearch, FindsTheMoveThatWasMade) {
   const Pose move = in_space({0.4, -0.7, 0.25});
   room.move_from(160, move);
   const LineRange range{160, room.lines.size()};
-  const PlaceSearch search(room.lines, range, scene, room.settings.estimate);
+  const PlaceSearch search(room.lines, range, scene, room.settings);
   const auto moves = search.moves_about(range.end - 1, kRadius_m);
   ASSERT_EQ(moves.size(), 1U);
   EXPECT_GT(moves.front().agreement.known(), 0.9);
@@ -113,7 +113,7 @@ TEST(PlaceSearch, FindsASlipThatWasMadeALongWayBefore) {
     room.lines.set_pose(i, slip * room.lines.T_start_base(i));
   }
   const LineRange range{slipped + 1, room.lines.size()};
-  const PlaceSearch search(room.lines, range, scene, room.settings.estimate);
+  const PlaceSearch search(room.lines, range, scene, room.settings);
   EXPECT_TRUE(search.moves_about(range.end - 1, kRadius_m).empty());
   EXPECT_EQ(search.moves_about(range.end - 1, 2.0 * kRadius_m).size(), 1U);
   const auto moves = search.moves_about(slipped, kRadius_m);

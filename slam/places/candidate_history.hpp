@@ -1,0 +1,39 @@
+// SPDX-FileCopyrightText: 2026 ribbon_mapper authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <vector>
+
+#include "slam/places/decision.hpp"
+#include "slam/places/move_finder.hpp"
+
+namespace ribbon_mapper::slam {
+
+/// A history in which lines are moved.
+struct CandidateHistory {
+  Pose T_start_start;   ///< of the lines behind the seam
+  Seam seam;            ///< before it, lines stay; in it, they are moved in part
+  bool is_slip;         ///< the odometry has failed within the seam
+  Decision::Kind kind;  ///< if it is chosen
+  double lead = 0.0;    ///< the cost that later candidates must save beyond it
+  double saved = 0.0;   ///< the cost that it saves where the wheels have slipped
+
+  /// Returns the history without this one, once it was chosen. What had shown a slip counts against
+  /// it.
+  CandidateHistory taken_back() const;
+};
+
+/// Returns true if a move goes farther than a slip, and nothing contradicts that the robot is where
+/// it seems to be.
+bool is_far(const FoundMove& move, const PosedLines& lines, const RelocaliserConfig& config);
+
+/// Returns the histories in which a move may have been made: by a slip at one moment, or by drift
+/// since the place was seen for the last time.
+///
+/// Where lines show the slip by themselves, see EvidentSlip, it was made there, and there is no
+/// other history.
+std::vector<CandidateHistory> candidate_histories(const FoundMove& move, const PosedLines& lines,
+                                                  const OdometryNoise& noise,
+                                                  const EstimateSettings& settings);
+
+}  // namespace ribbon_mapper::slam
