@@ -50,6 +50,13 @@ TEST(SelfClosure, MovesNothingOntoACorridorThatLooksAlike) {
   EXPECT_LT(summary.estimate->error.rmse_m, 0.03);
 }
 
+/// A move of 1.1 m along a wall would put a new part of it on a known one.
+TEST(SelfClosure, MovesNothingAlongAWall) {
+  const Summary summary = self_corrected(2, "", "worlds/corridor_ring.sdf");
+  EXPECT_THAT(summary.estimate->report->decisions, testing::IsEmpty());
+  EXPECT_LT(summary.estimate->error.rmse_m, 0.03);
+}
+
 /// The odometry turns by 14 and by 6 degrees in a second each while the laser shows no wall; then,
 /// walls are within the gates of the fronts of pilasters.
 TEST(SelfClosure, NoticesThatWallsWereTakenForPilasters) {
@@ -138,6 +145,22 @@ TEST(SelfClosure, PutsTheLinesOfAPushWhereTheRobotWas) {
 /// walls around the shift.
 TEST(SelfClosure, TakesNoCornerForTheShift) {
   expect_found_in_the_flat(self_corrected(64, "shift=134.7:-0.5"));
+}
+
+/// For two minutes, nothing contradicts a shift along the first corridor. Drift since the known
+/// walls were last in sight, 18 s after it, explains the move nearly as well.
+TEST(SelfClosure, FindsAShiftFromBeforeTheLastKnownGround) {
+  expect_found_in_the_flat(self_corrected(62, "shift=15.9:0.5"));
+}
+
+/// Drift by 27 degrees explained the move too, and would have turned a flat in which walls were in
+/// sight all along.
+TEST(SelfClosure, TakesNoPushForDrift) { expect_found(self_corrected(108, "push=113:1")); }
+
+/// Behind the push, what is seen is new in part. Most of it fits what was seen just before if
+/// moved, and is at the right place only there.
+TEST(SelfClosure, TriesThePlaceThatLinesShowBest) {
+  expect_found(self_corrected(102, "push=185.2:2"));
 }
 
 /// Turned by 90 degrees, two thirds of the walls of a new room lie on those of a known one, 1.3 m

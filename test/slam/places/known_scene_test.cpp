@@ -19,11 +19,11 @@ constexpr double kRadius_m = 1.5;  // of the window that is searched
 const AssociationGates kGates{3.2, 0.12};
 
 /// A room that is seen for eight seconds unless told otherwise, from its middle unless a motion is
-/// given. A door of 1 m leads through its wall at x = 3.
+/// given. A door of 1 m leads through its wall at x = 3, unless it is another place.
 struct SeenRoom {
   explicit SeenRoom(const mini_world::Motion& motion = mini_world::tilting_in_place(),
-                    double seconds = 8.0)
-      : modeler(mini_world::model_of(mini_world::drive(with_door(), motion, 0.0, seconds))),
+                    double seconds = 8.0, const mini_world::World& world = with_door())
+      : modeler(mini_world::model_of(mini_world::drive(world, motion, 0.0, seconds))),
         lines(modeler.observations()) {
     while (lines.has_next()) {
       lines.add_next();
@@ -128,6 +128,32 @@ TEST(PlaceSearch, ComparesMovesByWhatTheyDoToTheRobot) {
   const Pose turn = in_space({0.0, 0.0, 0.02});
   EXPECT_TRUE(is_same_move(turn, Pose::Identity(), Pose::Identity()));
   EXPECT_FALSE(is_same_move(turn, Pose::Identity(), in_space({20.0, 0.0, 1.0})));
+}
+
+/// A corridor along x, without an end in sight.
+struct SeenCorridor : SeenRoom {
+  SeenCorridor() : SeenRoom(mini_world::tilting_in_place(), 8.0, walls()) {}
+  static mini_world::World walls() {
+    return {mini_world::plane({0, 0, 1}, 0.0),
+            mini_world::plane({0, 1, 0}, 1.0, {2.0, -1.0, 0.0}, {20.0, -1.0, 2.5}),
+            mini_world::plane({0, -1, 0}, 1.0, {2.0, 1.0, 0.0}, {20.0, 1.0, 2.5})};
+  }
+};
+
+TEST(OpenDirection, LeadsAlongACorridor) {
+  const SeenCorridor corridor;
+  const KnownScene scene(corridor.lines, corridor.all, corridor.settings);
+  const auto open = open_direction(corridor.lines, {0, corridor.lines.size()}, Pose::Identity(),
+                                   scene, corridor.settings);
+  ASSERT_TRUE(open);
+  EXPECT_GT(std::abs(open->x()), 0.999);
+}
+
+TEST(OpenDirection, IsNoneInARoom) {
+  const SeenRoom room;
+  const KnownScene scene(room.lines, room.all, room.settings);
+  EXPECT_FALSE(
+      open_direction(room.lines, {0, room.lines.size()}, Pose::Identity(), scene, room.settings));
 }
 
 TEST(Seam, LiesWhereLinesAreTorn) {
