@@ -21,7 +21,7 @@ from diagnostics import Diagnostics
 from plane_matching import compare
 from waiting import Latest, close_and_get_path, eventually, service
 
-NEAR_M = 0.1  # twice the largest error of docs/slam.md for this kind of room
+NEAR_M = 0.1  # twice the largest error of docs/slam_figures.md for this kind of room
 # Tracking leaves 5 cm at a drift of 3 (slam/lines/estimate_config.hpp), here it is 6; and twice.
 TRACKED_M = 0.2
 
