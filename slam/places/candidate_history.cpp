@@ -122,10 +122,9 @@ class Candidates {
   /// turns the robot by no more than the angle by which they may be taken for one another.
   bool is_drift(const Seam& way) const {
     const double max_turn_rad = settings_.estimate.gates.front().angle_deg * kDegree;
-    const double max_scale = config().drift_sigmas * noise_.planar_scale;
     return !is_far(move_, lines_, config()) &&
            std::abs(planar(move_.T_start_start).yaw_rad) <= max_turn_rad &&
-           scale_of(way, move_.T_start_start, lines_) < max_scale;
+           scale_of(way, move_.T_start_start, lines_) < max_drift_scale(noise_, config());
   }
 
   const FoundMove& move_;
@@ -145,6 +144,10 @@ CandidateHistory CandidateHistory::taken_back() const {
   without.lead = 0.0;
   without.saved = -saved;
   return without;
+}
+
+double max_drift_scale(const OdometryNoise& noise, const RelocaliserConfig& config) {
+  return config.drift_sigmas * noise.planar_scale;
 }
 
 bool is_far(const FoundMove& move, const PosedLines& lines, const RelocaliserConfig& config) {

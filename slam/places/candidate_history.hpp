@@ -23,6 +23,10 @@ struct CandidateHistory {
   CandidateHistory taken_back() const;
 };
 
+/// Returns the largest scale of the odometry's noise that is still drift, see
+/// OdometryNoise::planar_scale.
+double max_drift_scale(const OdometryNoise& noise, const RelocaliserConfig& config);
+
 /// Returns true if a move goes farther than a slip, and nothing contradicts that the robot is where
 /// it seems to be.
 bool is_far(const FoundMove& move, const PosedLines& lines, const RelocaliserConfig& config);
@@ -30,8 +34,8 @@ bool is_far(const FoundMove& move, const PosedLines& lines, const RelocaliserCon
 /// Returns the histories in which a move may have been made: by a slip at one moment, or by drift
 /// since the place was seen for the last time.
 ///
-/// Where lines show the slip by themselves, see EvidentSlip, it was made there, and there is no
-/// other history.
+/// Where lines show the slip by themselves, and explain it, see EvidentSlip, it was made there, and
+/// there is no other history.
 std::vector<CandidateHistory> candidate_histories(const FoundMove& move, const PosedLines& lines,
                                                   const OdometryNoise& noise,
                                                   const EstimateSettings& settings);

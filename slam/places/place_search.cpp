@@ -83,17 +83,27 @@ Agreement agreement_of(const PosedLines& lines, const LineRange& range, const Po
   return agreement;
 }
 
-std::optional<Eigen::Vector2d> open_direction(const PosedLines& lines, const LineRange& range,
-                                              const Pose& T_start_start, const KnownScene& scene,
-                                              const EstimateSettings& settings) {
-  Eigen::Matrix2d across = Eigen::Matrix2d::Zero();  // ribbons on walls across a direction
+std::vector<KnownRibbon> known_ribbons(const PosedLines& lines, const LineRange& range,
+                                       const Pose& T_start_start, const KnownScene& scene,
+                                       const AssociationGates& gates) {
+  std::vector<KnownRibbon> known;
   for (std::uint32_t i = lines.first_ribbon(range.first); i < lines.first_ribbon(range.end); ++i) {
     const PosedRibbon ribbon(lines.ribbon(i),
                              T_start_start * lines.T_start_base(lines.ribbon(i).pose));
     if (!is_of_wall(ribbon.normal)) continue;
-    const KnownScene::Wall* wall = scene.wall_of(ribbon, settings.estimate.gates.front());
-    if (wall == nullptr) continue;
-    const Eigen::Vector2d normal = wall->plane.normal().head<2>();
+    const KnownScene::Wall* wall = scene.wall_of(ribbon, gates);
+    if (wall != nullptr) known.push_back({wall, ribbon.ribbon->length_m});
+  }
+  return known;
+}
+
+std::optional<Eigen::Vector2d> open_direction(const PosedLines& lines, const LineRange& range,
+                                              const Pose& T_start_start, const KnownScene& scene,
+                                              const EstimateSettings& settings) {
+  Eigen::Matrix2d across = Eigen::Matrix2d::Zero();  // ribbons on walls across a direction
+  for (const KnownRibbon& ribbon :
+       known_ribbons(lines, range, T_start_start, scene, settings.estimate.gates.front())) {
+    const Eigen::Vector2d normal = ribbon.wall->plane.normal().head<2>();
     across += normal * normal.transpose();
   }
   Eigen::SelfAdjointEigenSolver<Eigen::Matrix2d> axes;

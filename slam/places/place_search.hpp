@@ -58,6 +58,17 @@ bool is_same_move(const PlanarPose& a, const PlanarPose& b);
 /// Returns the same for moves in start, by what they do to a robot at `T_start_base`.
 bool is_same_move(const Pose& a, const Pose& b, const Pose& T_start_base);
 
+/// A ribbon on a known wall.
+struct KnownRibbon {
+  const KnownScene::Wall* wall;  ///< of the scene, not owned
+  double length_m;               ///< of the ribbon
+};
+
+/// Returns the ribbons of lines that lie on known walls if they are moved by `T_start_start`.
+std::vector<KnownRibbon> known_ribbons(const PosedLines& lines, const LineRange& range,
+                                       const Pose& T_start_start, const KnownScene& scene,
+                                       const AssociationGates& gates);
+
 /// Returns the direction in the plane in which no known wall holds lines that are moved by
 /// `T_start_start`: fewer ribbons than it takes to believe in a plane lie on walls across it.
 /// Nothing if they are held in all directions.

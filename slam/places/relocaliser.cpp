@@ -46,8 +46,8 @@ void Relocaliser::decide(Decision::Kind kind, const PosedLines& lines, const std
 
 bool Relocaliser::look(PosedLines& lines, double tracked_share, const OdometryNoise& noise) {
   if (way_back_ && lines.stamp(lines.size() - 1) > way_back_until_) way_back_.reset();
-  const Finding finding = finder_.find(
-      lines, tracked_share, settings_.estimate.relocaliser.drift_sigmas * noise.planar_scale);
+  const Finding finding =
+      finder_.find(lines, tracked_share, max_drift_scale(noise, settings_.estimate.relocaliser));
   if (choose(finding, lines, noise)) return true;
   // A move that was not made does not explain more in the end.
   const bool is_doubted =

@@ -95,14 +95,9 @@ std::uint32_t last_seen(const PosedLines& lines, const LineRange& range, const P
                         const KnownScene& scene, const AssociationGates& gates) {
   std::vector<std::pair<std::uint32_t, double>> seen;  // line and length
   double total = 0.0;
-  for (std::uint32_t i = lines.first_ribbon(range.first); i < lines.first_ribbon(range.end); ++i) {
-    const PosedRibbon ribbon(lines.ribbon(i),
-                             T_start_start * lines.T_start_base(lines.ribbon(i).pose));
-    if (!is_of_wall(ribbon.normal)) continue;
-    const KnownScene::Wall* wall = scene.wall_of(ribbon, gates);
-    if (wall == nullptr) continue;
-    seen.emplace_back(wall->last_line, ribbon.ribbon->length_m);
-    total += ribbon.ribbon->length_m;
+  for (const KnownRibbon& ribbon : known_ribbons(lines, range, T_start_start, scene, gates)) {
+    seen.emplace_back(ribbon.wall->last_line, ribbon.length_m);
+    total += ribbon.length_m;
   }
   std::sort(seen.begin(), seen.end());
   double sum = 0.0;

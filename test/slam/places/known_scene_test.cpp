@@ -109,9 +109,7 @@ TEST(PlaceSearch, FindsASlipThatWasMadeALongWayBefore) {
   const Pose there = in_space({-8.0, 0.0, 0.0});
   const Pose slip = there * in_space({0.0, 0.0, 0.35}) * there.inverse(Eigen::Isometry);
   room.lines.set_pose(slipped, there);
-  for (std::uint32_t i = slipped + 1; i < room.lines.size(); ++i) {
-    room.lines.set_pose(i, slip * room.lines.T_start_base(i));
-  }
+  room.move_from(slipped + 1, slip);
   const LineRange range{slipped + 1, room.lines.size()};
   const PlaceSearch search(room.lines, range, scene, room.settings);
   EXPECT_TRUE(search.moves_about(range.end - 1, kRadius_m).empty());
