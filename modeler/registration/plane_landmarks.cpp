@@ -136,6 +136,19 @@ std::optional<LandmarkMatcher::Match> LandmarkMatcher::match_of(const PlaneObser
   return is_ambiguous ? std::nullopt : best;
 }
 
+bool LandmarkMatcher::lies_at_candidate(const PlaneObservation& observation,
+                                        const PoseBelief& belief) const {
+  const Pose& T = belief.T_model_base;
+  return std::any_of(
+      observation.candidates.begin(), observation.candidates.end(), [&](std::uint32_t candidate) {
+        const PlaneLandmark& landmark = (*landmarks_)[candidate];
+        if (landmark.normal.dot(T.linear() * observation.normal) < kMinCosineOfSide) return false;
+        const Vector6 by_pose = derivative_by_pose(observation, landmark.normal, T).row(0);
+        const double variance = by_pose.dot(belief.covariance * by_pose) + observation.variances[0];
+        return square(residual_of(observation, landmark, T)[0]) < config_.max_chi_square * variance;
+      });
+}
+
 std::vector<LandmarkMatch> LandmarkMatcher::matches(
     const std::vector<PlaneObservation>& observations, const PoseBelief& belief) const {
   std::vector<LandmarkMatch> result;

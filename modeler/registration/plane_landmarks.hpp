@@ -44,6 +44,10 @@ class LandmarkMatcher {
   std::vector<LandmarkMatch> matches(const std::vector<PlaneObservation>& observations,
                                      const PoseBelief& belief) const;
 
+  /// Returns true if a ribbon, seen from the believed pose, lies at a candidate and faces its side,
+  /// however it is tilted and whatever else it lies at.
+  bool lies_at_candidate(const PlaneObservation& observation, const PoseBelief& belief) const;
+
  private:
   struct Match {
     std::uint32_t landmark;
@@ -86,6 +90,10 @@ class PlaneLandmarks {
   std::vector<LandmarkMatch> matches(const std::vector<PlaneObservation>& observations,
                                      const PoseBelief& belief) const {
     return LandmarkMatcher(landmarks_, config_).matches(observations, belief);
+  }
+  /// Tells the same as LandmarkMatcher::lies_at_candidate().
+  bool lies_at_candidate(const PlaneObservation& observation, const PoseBelief& belief) const {
+    return LandmarkMatcher(landmarks_, config_).lies_at_candidate(observation, belief);
   }
 
   /// Lets a landmark be found near another ribbon of its plane.

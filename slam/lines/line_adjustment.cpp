@@ -24,6 +24,10 @@ PoseBelief belief_within(const Pose& T_start_base, const AssociationGates& gates
   return belief;
 }
 
+/// Returns a covariance between two others: as narrow as the narrower one in each direction, and
+/// half of both where they are equal. It is zero where one of them is.
+Matrix6 narrower_of(const Matrix6& a, const Matrix6& b) { return a * (a + b).ldlt().solve(b); }
+
 /// Returns the variances of one of some steps that may be wrong together by any amount in the
 /// plane.
 Vector6 slip_variances(std::uint32_t steps) {
@@ -40,7 +44,7 @@ class Adjustment {
   std::vector<Matrix6> covariances(const AssociationGates& gates);
 
  private:
-  /// A ribbon of the context that belongs to no known plane.
+  /// A ribbon of the context that lies at no known plane.
   struct LooseRibbon {
     std::uint32_t ribbon;
     std::size_t line;  // in the context
@@ -51,6 +55,7 @@ class Adjustment {
     std::vector<PlaneLandmark> landmarks;
     std::vector<ObservingLine> context;
     std::vector<ObservingSegment> segments;  // one, of the adjusted lines
+    std::vector<std::uint32_t> others;       // ribbons of these lines that lie at no known plane
     std::vector<ObservingLine>& lines() { return segments.front().lines; }
     const std::vector<ObservingLine>& lines() const { return segments.front().lines; }
   };
@@ -59,7 +64,8 @@ class Adjustment {
   Round matched(const AssociationGates& gates);
   TrajectorySegment segment() const;
   std::vector<Matrix6> step_information() const;
-  ObservingLine matched_with_known(std::uint32_t line, const AssociationGates& gates);
+  PoseBelief belief_at(std::uint32_t line, const AssociationGates& gates) const;
+  void match_with_known(std::uint32_t line, const AssociationGates& gates, Round& round);
   PlaneMap map_of_others(const AssociationGates& gates, const Round& round) const;
   void match_others(const AssociationGates& gates, Round& round) const;
   const PlaneObservation& observation_of(std::uint32_t ribbon) const;
@@ -91,6 +97,7 @@ Adjustment::Adjustment(const PosedLines& lines, const AdjustedLines& which,
 }
 
 void Adjustment::list_context(const OdometryNoise& noise, const RangeNoise& ranges) {
+  const AssociationGates& exact = settings_.estimate.gates.back();
   std::vector<std::uint32_t> plane_of(lines_.first_ribbon(which_.first), kNone);
   for (std::uint32_t plane = 0; plane < known_.planes().size(); ++plane) {
     for (const Member& member : known_.planes()[plane].members()) plane_of[member.ribbon] = plane;
@@ -98,13 +105,17 @@ void Adjustment::list_context(const OdometryNoise& noise, const RangeNoise& rang
   for (const std::uint32_t line : which_.context) {
     of_context_.push_back(lines_.measured(line, noise, ranges));
     context_.push_back({lines_.T_start_base(line), {}});
+    const PoseBelief belief = belief_within(lines_.T_start_base(line), exact);
     const std::uint32_t first = lines_.first_ribbon(line);
     for (std::uint32_t i = first; i < lines_.first_ribbon(line + 1); ++i) {
-      const PlaneObservation& observation = of_context_.back()[i - first];
-      if (plane_of[i] == kNone)
-        loose_.push_back({i, context_.size() - 1, &observation});
-      else
+      PlaneObservation& observation = of_context_.back()[i - first];
+      if (plane_of[i] != kNone) {
         context_.back().matches.push_back({&observation, plane_of[i]});
+        continue;
+      }
+      observation.candidates = known_.landmarks().landmarks_near(lines_.posed_ribbon(i));
+      if (!known_.landmarks().lies_at_candidate(observation, belief))
+        loose_.push_back({i, context_.size() - 1, &observation});
     }
   }
 }
@@ -136,36 +147,40 @@ std::vector<Matrix6> Adjustment::step_information() const {
   return information;
 }
 
-ObservingLine Adjustment::matched_with_known(std::uint32_t line, const AssociationGates& gates) {
+/// Returns the belief at a line's pose in a round: twice as uncertain as it was tracked, and no
+/// more than the gates of the round say.
+PoseBelief Adjustment::belief_at(std::uint32_t line, const AssociationGates& gates) const {
   const Pose T_start_base = lines_.T_start_base(line);
-  std::vector<PlaneObservation>& observations = of_lines_[index_of(line)];
-  for (std::size_t i = 0; i < observations.size(); ++i) {
-    const PosedRibbon ribbon(lines_.ribbon(lines_.first_ribbon(line) + i), T_start_base);
-    observations[i].candidates = known_.landmarks().landmarks_near(ribbon);
-  }
-  return {T_start_base,
-          known_.landmarks().matches(observations, belief_within(T_start_base, gates))};
+  const PoseBelief widest = belief_within(T_start_base, gates);
+  const std::size_t newer = which_.end - line;
+  if (newer > which_.tracked.size()) return widest;
+  const Matrix6 least = belief_within(T_start_base, settings_.estimate.gates.back()).covariance;
+  const Matrix6 tracked = 4.0 * which_.tracked[which_.tracked.size() - newer];
+  return {T_start_base, least + narrower_of(widest.covariance - least, tracked)};
 }
 
-/// Returns the planes of all ribbons that are on no known plane.
+/// Matches the ribbons of a line with the known planes, and lists those that lie at none. One that
+/// lies at a known plane and does not match it is too noisy to make a new plane.
+void Adjustment::match_with_known(std::uint32_t line, const AssociationGates& gates, Round& round) {
+  const PoseBelief belief = belief_at(line, gates);
+  const std::uint32_t first = lines_.first_ribbon(line);
+  std::vector<PlaneObservation>& observations = of_lines_[index_of(line)];
+  for (std::uint32_t i = 0; i < observations.size(); ++i) {
+    PlaneObservation& observation = observations[i];
+    observation.candidates = known_.landmarks().landmarks_near(lines_.posed_ribbon(first + i));
+    if (!known_.landmarks().lies_at_candidate(observation, belief))
+      round.others.push_back(first + i);
+  }
+  round.lines().push_back({belief.T_model_base, known_.landmarks().matches(observations, belief)});
+}
+
+/// Returns the planes of all ribbons that lie at no known plane.
 PlaneMap Adjustment::map_of_others(const AssociationGates& gates, const Round& round) const {
   PlaneMap map(settings_.shared.bridged_gap_m, gates);
   for (const LooseRibbon& loose : loose_) {
     map.add({lines_.ribbon(loose.ribbon), context_[loose.line].T_model_base}, loose.ribbon);
   }
-  for (std::uint32_t line = which_.first; line < which_.end; ++line) {
-    const ObservingLine& observing = round.lines()[index_of(line)];
-    const std::vector<PlaneObservation>& observations = of_lines_[index_of(line)];
-    auto match = observing.matches.begin();  // in the order of the observations
-    for (std::size_t i = 0; i < observations.size(); ++i) {
-      if (match != observing.matches.end() && match->observation == &observations[i]) {
-        ++match;
-        continue;
-      }
-      const auto index = static_cast<std::uint32_t>(lines_.first_ribbon(line) + i);
-      map.add({lines_.ribbon(index), observing.T_model_base}, index);
-    }
-  }
+  for (const std::uint32_t ribbon : round.others) map.add(lines_.posed_ribbon(ribbon), ribbon);
   return map;
 }
 
@@ -176,7 +191,10 @@ const PlaneObservation& Adjustment::observation_of(std::uint32_t ribbon) const {
 
 void Adjustment::match_others(const AssociationGates& gates, Round& round) const {
   const auto min_ribbons = static_cast<std::size_t>(settings_.registration.min_ribbons);
-  for (const Hypothesis& plane : map_of_others(gates, round).merged_hypotheses()) {
+  // Each new plane was tracked, so that its ribbons lie in one plane already.
+  const AssociationGates& of_others =
+      which_.tracked.empty() ? gates : settings_.estimate.gates.back();
+  for (const Hypothesis& plane : map_of_others(of_others, round).merged_hypotheses()) {
     if (plane.members().size() < min_ribbons) continue;
     const auto landmark = static_cast<std::uint32_t>(round.landmarks.size());
     round.landmarks.push_back(landmark_of(plane));
@@ -196,9 +214,9 @@ void Adjustment::match_others(const AssociationGates& gates, Round& round) const
 
 /// Matches all ribbons with the planes of the context and with those of the others.
 Adjustment::Round Adjustment::matched(const AssociationGates& gates) {
-  Round round{known_.landmarks().all(), context_, {{segment(), {}, step_information()}}};
+  Round round{known_.landmarks().all(), context_, {{segment(), {}, step_information()}}, {}};
   for (std::uint32_t i = which_.first; i < which_.end; ++i) {
-    round.lines().push_back(matched_with_known(i, gates));
+    match_with_known(i, gates, round);
   }
   match_others(gates, round);
   return round;

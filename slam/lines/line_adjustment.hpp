@@ -14,12 +14,17 @@ struct AdjustedLines {
   std::uint32_t first = 1;             ///< at least 1: the pose of the line before it is known
   std::uint32_t end = 1;               ///< one behind the last line
   std::vector<std::uint32_t> context;  ///< lines with known poses, ascending, all before `first`
+  /// Covariances with which the last of the lines were tracked (see PoseBelief), of as many as are
+  /// known. These lines match known planes within narrower gates, and new planes of tracked lines
+  /// are told apart by the last gates.
+  std::vector<Matrix6> tracked;
 };
 
 /// Adjusts the poses of lines together with the planes that they see.
 ///
 /// There is a round for each of EstimateConfig::gates. It matches ribbons with the planes of the
-/// context, gathers all others to new planes, and takes Gauss-Newton steps on all poses and planes.
+/// context, gathers those that lie at none of them to new planes, and takes Gauss-Newton steps on
+/// all poses and planes.
 void adjust_lines(PosedLines& lines, const AdjustedLines& which, const OdometryNoise& noise,
                   const EstimateSettings& settings);
 

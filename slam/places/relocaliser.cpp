@@ -78,7 +78,7 @@ PosedLines Relocaliser::history_with(const CandidateHistory& candidate, std::uin
   for (std::uint32_t i = seam.first; i <= seam.end; ++i) history.set_slip(i, candidate.is_slip);
   const EstimateConfig& config = settings_.estimate;
   const LineRange range{first, history.size()};
-  adjust_lines(history, {first, range.end, context_of(history, range, first, config)}, noise,
+  adjust_lines(history, {first, range.end, context_of(history, range, first, config), {}}, noise,
                settings_);
   return history;
 }

@@ -19,13 +19,14 @@ TrajectoryEstimate::TrajectoryEstimate(const Observations& observations,
       relocaliser_(settings) {}
 
 bool TrajectoryEstimate::update() {
-  if (lines_.keep_in_step()) settled_ = 0, relocaliser_.forget_lines();
+  if (lines_.keep_in_step()) settled_ = 0, tracked_.clear(), relocaliser_.forget_lines();
   bool is_revised = false;
   while (lines_.has_next()) {
     lines_.add_next();
     const std::uint32_t line = lines_.size() - 1;
     if (line == 0) T_odom_start_ = lines_.T_odom_base(0), last_window_ = lines_.stamp(0);
     tracker_.track(lines_, line, noise_);
+    tracked_.push_back(tracker_.belief().covariance);
     if (to_seconds(lines_.stamp(line) - last_window_) < settings_.estimate.window_step_s) continue;
     last_window_ = lines_.stamp(line);
     adjust_window();
@@ -43,10 +44,14 @@ void TrajectoryEstimate::learn_noise(std::uint32_t first_of_window) {
 
 void TrajectoryEstimate::adjust_window() {
   const std::uint32_t first = first_within(lines_, settings_.estimate.window_s);
-  AdjustedLines window{first, lines_.size(), context_before(first)};
+  const std::size_t in_window = std::min<std::size_t>(lines_.size() - first, tracked_.size());
+  tracked_.erase(tracked_.begin(), tracked_.end() - static_cast<std::ptrdiff_t>(in_window));
+  AdjustedLines window{first, lines_.size(), context_before(first), tracked_};
   adjust_lines(lines_, window, noise_, settings_);
-  if (relocaliser_.look(lines_, tracker_.known_share(), noise_))
+  if (relocaliser_.look(lines_, tracker_.known_share(), noise_)) {
     window.context = context_before(first);
+    tracked_.clear();  // they are of other poses
+  }
   learn_noise(first);
   restart_tracker(std::move(window.context), first);
 }
@@ -64,7 +69,7 @@ void TrajectoryEstimate::restart_tracker(std::vector<std::uint32_t> context, std
 
 void TrajectoryEstimate::finish() {
   if (lines_.size() < 2) return;
-  adjust_lines(lines_, {1, lines_.size(), {0}}, noise_, settings_);
+  adjust_lines(lines_, {1, lines_.size(), {0}, {}}, noise_, settings_);
   const std::uint32_t first = first_within(lines_, settings_.estimate.window_s);
   restart_tracker(context_before(first), first);
 }
@@ -80,7 +85,8 @@ std::vector<StampedPose> TrajectoryEstimate::trajectory() const {
 
 std::vector<Matrix6> TrajectoryEstimate::covariances() const {
   std::vector<Matrix6> covariances(std::min(lines_.size(), 1U), Matrix6::Zero());
-  for (const Matrix6& c : line_covariances(lines_, {1, lines_.size(), {0}}, noise_, settings_)) {
+  for (const Matrix6& c :
+       line_covariances(lines_, {1, lines_.size(), {0}, {}}, noise_, settings_)) {
     covariances.push_back(in_other_axes(c, T_odom_start_.linear()));
   }
   return covariances;

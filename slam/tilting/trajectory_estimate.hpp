@@ -66,8 +66,9 @@ class TrajectoryEstimate {
   LineTracker tracker_;
   Relocaliser relocaliser_;
   Pose T_odom_start_ = Pose::Identity();
-  Time last_window_{0};        // stamp of the line at which the last window was adjusted
-  std::uint32_t settled_ = 0;  // lines before it have left all windows
+  Time last_window_{0};           // stamp of the line at which the last window was adjusted
+  std::vector<Matrix6> tracked_;  // covariances of the newest lines when they were tracked
+  std::uint32_t settled_ = 0;     // lines before it have left all windows
 };
 
 }  // namespace ribbon_mapper::slam

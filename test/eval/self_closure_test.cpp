@@ -50,6 +50,14 @@ TEST(SelfClosure, MovesNothingOntoACorridorThatLooksAlike) {
   EXPECT_LT(summary.estimate->error.rmse_m, 0.03);
 }
 
+/// The fronts of two cupboards, one behind the door and 0.17 m beside the one before it, are taken
+/// for one plane by gates as wide as those for a robot that has drifted far.
+TEST(SelfClosure, TakesNoNewFrontForOneNearlyInItsPlane) {
+  const Summary summary = self_corrected(2, "", "worlds/flush_fronts.sdf");
+  EXPECT_LT(summary.estimate->error.rmse_m, 0.03);
+  EXPECT_EQ(summary.metrics.corrected.f1, 1.0);
+}
+
 /// A move of 1.1 m along a wall would put a new part of it on a known one.
 TEST(SelfClosure, MovesNothingAlongAWall) {
   const Summary summary = self_corrected(2, "", "worlds/corridor_ring.sdf");

@@ -53,7 +53,7 @@ INSTANTIATE_TEST_SUITE_P(
                     Shipped{"hotel.sdf", 59}, Shipped{"ring_pilasters.sdf", 121},
                     Shipped{"ring_bare.sdf", 10}, Shipped{"open_path_flat.sdf", 20},
                     Shipped{"open_path_corridor.sdf", 7}, Shipped{"ramps.sdf", 10},
-                    Shipped{"doorways.sdf", 33}),
+                    Shipped{"doorways.sdf", 33}, Shipped{"flush_fronts.sdf", 33}),
     [](const auto& test) { return fs::path(test.param.file).stem().string(); });
 
 /// Compares the room with its drawing: each plane and its largest visible area.
