@@ -15,8 +15,8 @@ import unittest
 WORLDS = pathlib.Path(sys.argv[1]) / 'worlds'
 
 
-def written(folder):
-    subprocess.run([WORLDS / 'slam_worlds', folder], check=True)
+def written(folder, *arguments):
+    subprocess.run([WORLDS / 'slam_worlds', *arguments, folder], check=True)
     return {path.name: path.read_text() for path in pathlib.Path(folder).iterdir()}
 
 
@@ -44,6 +44,18 @@ class SlamWorlds(unittest.TestCase):
         for name, text in self.files.items():
             if name.endswith('.yaml'):
                 self.assertGreaterEqual(rest_s(text), 5.0, name)
+
+    def test_rows_of_rooms_are_functions_of_their_number(self):
+        with tempfile.TemporaryDirectory() as folder:
+            one = written(folder, '--rows', '1')
+        with tempfile.TemporaryDirectory() as folder:
+            two = written(folder, '--rows', '2')
+        self.assertEqual(set(two) - set(one), {'row_2.sdf', 'row_2.route.yaml'})
+        self.assertEqual(set(one) - set(self.files), {'row_1.sdf', 'row_1.route.yaml'})
+        self.assertEqual(one['row_1.sdf'], two['row_1.sdf'])
+        cupboards = [re.findall('"(cupboard.*)<', two[f'row_{i}.sdf']) for i in (1, 2)]
+        self.assertEqual(len(cupboards[0]), len(cupboards[1]))
+        self.assertNotEqual(*cupboards)
 
     def test_open_paths_are_as_long_as_their_names_say(self):
         for name, way_m in (('open_path_flat', 26.0), ('open_path_corridor', 89.0)):
