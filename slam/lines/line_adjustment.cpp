@@ -150,13 +150,14 @@ std::vector<Matrix6> Adjustment::step_information() const {
 /// Returns the belief at a line's pose in a round: twice as uncertain as it was tracked, and no
 /// more than the gates of the round say.
 PoseBelief Adjustment::belief_at(std::uint32_t line, const AssociationGates& gates) const {
-  const Pose T_start_base = lines_.T_start_base(line);
-  const PoseBelief widest = belief_within(T_start_base, gates);
+  PoseBelief belief = belief_within(lines_.T_start_base(line), gates);
   const std::size_t newer = which_.end - line;
-  if (newer > which_.tracked.size()) return widest;
-  const Matrix6 least = belief_within(T_start_base, settings_.estimate.gates.back()).covariance;
+  if (newer > which_.tracked.size()) return belief;
+  const Matrix6 least =
+      belief_within(belief.T_model_base, settings_.estimate.gates.back()).covariance;
   const Matrix6 tracked = 4.0 * which_.tracked[which_.tracked.size() - newer];
-  return {T_start_base, least + narrower_of(widest.covariance - least, tracked)};
+  belief.covariance = least + narrower_of(belief.covariance - least, tracked);
+  return belief;
 }
 
 /// Matches the ribbons of a line with the known planes, and lists those that lie at none. One that
