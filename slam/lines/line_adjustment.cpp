@@ -24,8 +24,8 @@ PoseBelief belief_within(const Pose& T_start_base, const AssociationGates& gates
   return belief;
 }
 
-/// Returns a covariance between two others: as narrow as the narrower one in each direction, and
-/// half of both where they are equal. It is zero where one of them is.
+/// Returns a covariance that is narrower than two others: nearly the narrower one where they differ
+/// much, half of both where they are equal, and zero where one of them is.
 Matrix6 narrower_of(const Matrix6& a, const Matrix6& b) { return a * (a + b).ldlt().solve(b); }
 
 /// Returns the variances of one of some steps that may be wrong together by any amount in the
