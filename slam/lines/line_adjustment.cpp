@@ -192,10 +192,7 @@ const PlaneObservation& Adjustment::observation_of(std::uint32_t ribbon) const {
 
 void Adjustment::match_others(const AssociationGates& gates, Round& round) const {
   const auto min_ribbons = static_cast<std::size_t>(settings_.registration.min_ribbons);
-  // Each new plane was tracked, so that its ribbons lie in one plane already.
-  const AssociationGates& of_others =
-      which_.tracked.empty() ? gates : settings_.estimate.gates.back();
-  for (const Hypothesis& plane : map_of_others(of_others, round).merged_hypotheses()) {
+  for (const Hypothesis& plane : map_of_others(gates, round).merged_hypotheses()) {
     if (plane.members().size() < min_ribbons) continue;
     const auto landmark = static_cast<std::uint32_t>(round.landmarks.size());
     round.landmarks.push_back(landmark_of(plane));

@@ -15,8 +15,7 @@ struct AdjustedLines {
   std::uint32_t end = 1;               ///< one behind the last line
   std::vector<std::uint32_t> context;  ///< lines with known poses, ascending, all before `first`
   /// Covariances with which the last of the lines were tracked (see PoseBelief), of as many as are
-  /// known. These lines match known planes within narrower gates, and new planes of tracked lines
-  /// are told apart by the last gates.
+  /// known. They narrow the gates within which these lines match known planes.
   std::vector<Matrix6> tracked;
 };
 
