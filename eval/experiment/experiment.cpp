@@ -55,12 +55,6 @@ LineLog drive(sim::Tour& tour, Modeler& modeler, SelfClosure* closure, Truth& tr
   return log;
 }
 
-/// Returns the true poses at the stamps of a trajectory.
-std::vector<StampedPose> true_poses(const sim::Tour& tour, std::vector<StampedPose> trajectory) {
-  for (StampedPose& pose : trajectory) pose.T_map_base = tour.true_T_map_base(pose.stamp);
-  return trajectory;
-}
-
 PointMetrics point_metrics(const PointTruth& truth, const Modeler& modeler,
                            const std::vector<Plane>& planes) {
   const Overlaps of_ribbons = truth.overlaps(modeler, planes, PointTruth::Points::of_ribbons);
@@ -126,8 +120,9 @@ Results run_experiment(const sim::World& world, const sim::Route& route,
 
   const std::vector<StampedPose> corrected = self ? self->finish(tour) : results.trajectory_truth;
   if (self) {
-    results.summary.estimate = self->summary(corrected, results.trajectory_truth);
+    results.summary.estimate = self->summary(corrected, tour);
     results.covariances_after = self->covariances();
+    results.trajectory_live = self->live_trajectory();
   }
   results.summary.correction_ms = 1e3 * wall_seconds_of([&] { modeler.correct(corrected); });
   results.models.corrected_as_built = modeler.planes_as_built();

@@ -14,6 +14,10 @@ void SelfClosure::update(const sim::Tour& tour, Time now) {
   const double seconds = cpu_seconds_of([&] { estimate_.update(); });
   updates_s_ += seconds;
   longest_update_s_ = std::max(longest_update_s_, seconds);
+  if (estimate_.size() == 0) return;
+  const auto [stamp, T_odom_base] = estimate_.newest_pose();
+  if (!live_.empty() && live_.back().stamp == stamp) return;
+  live_.push_back({stamp, tour.T_map_odom_at_start() * T_odom_base});
 }
 
 /// Takes the scans up to the first one that begins after `now`, which is all that a line needs.
@@ -42,12 +46,14 @@ std::vector<StampedPose> SelfClosure::finish(const sim::Tour& tour) {
 }
 
 EstimateSummary SelfClosure::summary(const std::vector<StampedPose>& estimate,
-                                     const std::vector<StampedPose>& truth) const {
-  return {trajectory_error(estimate, truth),
-          EstimateReport{precision_of(covariances_), planar_nees(estimate, covariances_, truth),
-                         estimate_.noise_scale(), updates_s_, longest_update_s_, finish_s_,
-                         covariances_s_,
-                         slam::texts_of(estimate_.decisions(), estimate.front().stamp)}};
+                                     const sim::Tour& tour) const {
+  const std::vector<StampedPose> truth = true_poses(tour, estimate);
+  return {
+      trajectory_error(estimate, truth),
+      EstimateReport{trajectory_error(live_, true_poses(tour, live_)), precision_of(covariances_),
+                     planar_nees(estimate, covariances_, truth), estimate_.noise_scale(),
+                     updates_s_, longest_update_s_, finish_s_, covariances_s_,
+                     slam::texts_of(estimate_.decisions(), estimate.front().stamp)}};
 }
 
 }  // namespace ribbon_mapper::eval

@@ -34,9 +34,12 @@ class SelfClosure {
   /// Returns the covariances of what finish() returned, along the axes of map.
   const std::vector<Matrix6>& covariances() const { return covariances_; }
 
+  /// Returns the poses in map that each line had when it was the newest one, as the node sends
+  /// them.
+  const std::vector<StampedPose>& live_trajectory() const { return live_; }
+
   /// Returns the figures of an estimate that is finished. `estimate` is what finish() returned.
-  EstimateSummary summary(const std::vector<StampedPose>& estimate,
-                          const std::vector<StampedPose>& truth) const;
+  EstimateSummary summary(const std::vector<StampedPose>& estimate, const sim::Tour& tour) const;
 
  private:
   void take_base_scans(const sim::Tour& tour, Time now);
@@ -46,6 +49,7 @@ class SelfClosure {
   std::size_t base_lines_ = 0;  // taken
   Time newest_base_scan_{-1};   // stamp of the last of these
   slam::TrajectoryEstimate estimate_;
+  std::vector<StampedPose> live_;
   std::vector<Matrix6> covariances_;
   double base_laser_s_ = 0.0, updates_s_ = 0.0, longest_update_s_ = 0.0, finish_s_ = 0.0,
          covariances_s_ = 0.0;

@@ -29,6 +29,11 @@ LinePoses base_laser_poses(const sim::Tour& tour, const LaserBeams& beams) {
           tour.noisy_T_map_base(middle_of(beams))};
 }
 
+std::vector<StampedPose> true_poses(const sim::Tour& tour, std::vector<StampedPose> trajectory) {
+  for (StampedPose& pose : trajectory) pose.T_map_base = tour.true_T_map_base(pose.stamp);
+  return trajectory;
+}
+
 std::vector<Patch> patches_of(const std::vector<sim::TruthPlane>& planes) {
   std::vector<Patch> patches;
   patches.reserve(planes.size());

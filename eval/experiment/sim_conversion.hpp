@@ -20,6 +20,9 @@ LinePoses noisy_poses(const sim::Tour& tour, const LaserBeams& beams);
 /// Returns the poses that tf would give for a scan of the laser on the base.
 LinePoses base_laser_poses(const sim::Tour& tour, const LaserBeams& beams);
 
+/// Returns the true poses at the stamps of a trajectory.
+std::vector<StampedPose> true_poses(const sim::Tour& tour, std::vector<StampedPose> trajectory);
+
 /// Converts true planes.
 std::vector<Patch> patches_of(const std::vector<sim::TruthPlane>& planes);
 

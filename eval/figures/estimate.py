@@ -21,6 +21,7 @@ import matplotlib.pyplot as plt  # noqa: E402 (needs the backend)
 WIDTH_IN, HEIGHT_IN = 8.0, 3.5
 ODOMETRY = {"color": "tab:red", "linewidth": 1.0}
 ESTIMATE = {"color": "tab:blue", "linewidth": 0.7}
+LIVE = {"color": "tab:orange", "linewidth": 0.7}
 GREY = (0.45, 0.45, 0.45)
 
 
@@ -67,7 +68,9 @@ def draw_map(axes, directory):
 
 def draw_errors(axes, directory):
     truth = timed(directory / "trajectory_truth.tum")
-    for name, label, style in [("before", "odometry", ODOMETRY), ("after", "estimate", ESTIMATE)]:
+    for name, label, style in [("before", "odometry", ODOMETRY),
+                               ("live", "estimate of now, as the node sends it", LIVE),
+                               ("after", "estimate in the end", ESTIMATE)]:
         trajectory = timed(directory / f"trajectory_{name}.tum")
         seconds = [pose[0] - trajectory[0][0] for pose in trajectory]
         errors = [100 * error for error in errors_m(trajectory, truth)]

@@ -86,6 +86,9 @@ FileSet staged_results(const Results& results, const std::filesystem::path& dire
     files.add(kCovarianceFile,
               to_covariance_csv(results.trajectory_after, results.covariances_after, label.run));
   }
+  if (!results.trajectory_live.empty()) {
+    files.add("trajectory_live.tum", to_tum(results.trajectory_live, label.run));
+  }
   files.add("trajectory_truth.tum", to_tum(results.trajectory_truth, label.run));
   if (results.rooms) files.add("rooms.json", rooms_to_json(*results.rooms, label));
   if (results.floor_plan) add_floor_plan(*results.floor_plan, label, "floor_plan", files);

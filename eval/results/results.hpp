@@ -38,6 +38,8 @@ struct Results {
   std::vector<StampedPose> trajectory_after;
   /// Their covariances, see to_covariance_csv(); none if the truth has corrected them.
   std::vector<Matrix6> covariances_after;
+  /// The poses that lines had when they were the newest; none if the truth has corrected them.
+  std::vector<StampedPose> trajectory_live;
   /// True acquisition poses of the lines.
   std::vector<StampedPose> trajectory_truth;
   /// Polylines of the world in a top view [m], for the figure.
@@ -56,9 +58,9 @@ void evaluate(Results& results);
 /// planes_truth.json, planes_after.{json,ply,bt} with planes_after_cells.ply (corrected, final),
 /// planes_after.{glb,obj,stl} as the formats demand, rooms.json (if there are rooms),
 /// floor_plan.geojson (if there is a floor plan), trajectory_{before,after,truth}.tum,
-/// trajectory_covariance.csv (if there are covariances) figure.json (for draw_figure()) and
-/// report.html (see report_page()). Throws std::runtime_error with the file, the reason and a
-/// remedy.
+/// trajectory_live.tum and trajectory_covariance.csv (if there are any), figure.json (for
+/// draw_figure()) and report.html (see report_page()). Throws std::runtime_error with the file, the
+/// reason and a remedy.
 FileSet staged_results(const Results& results, const std::filesystem::path& directory,
                        const std::vector<MeshFormat>& mesh_formats = {});
 

@@ -146,12 +146,17 @@ Json times_of(const Summary& s) {
   return json;
 }
 
+Json to_json(const TrajectoryError& error) {
+  return {{"rmse_m", error.rmse_m},
+          {"largest_m", error.largest_m},
+          {"rmse_deg", error.rmse_deg},
+          {"aligned_rmse_m", error.aligned_rmse_m}};
+}
+
 Json to_json(const EstimateSummary& estimate) {
-  Json json{{"rmse_m", estimate.error.rmse_m},
-            {"largest_m", estimate.error.largest_m},
-            {"rmse_deg", estimate.error.rmse_deg},
-            {"aligned_rmse_m", estimate.error.aligned_rmse_m}};
+  Json json = to_json(estimate.error);
   if (!estimate.report) return json;
+  json["live"] = to_json(estimate.report->live);
   for (const auto& [name, sigma] : named_sigmas(estimate.report->precision)) json[name] = sigma;
   json["nees"] = estimate.report->nees;
   json["noise_scale"] = estimate.report->noise_scale;
@@ -161,8 +166,10 @@ Json to_json(const EstimateSummary& estimate) {
 
 std::string report_text(const EstimateReport& report) {
   return format(
-      "; known to %.1f cm and %.2f deg (median; NEES %.2f); odometry %.1f x gmapping's noise; "
+      "; live %.1f cm RMS (largest %.1f); known to %.1f cm and %.2f deg (median; NEES %.2f); "
+      "odometry %.1f x gmapping's noise; "
       "%.1f s for all lines (longest %.0f ms), %.1f s at the end",
+      100.0 * report.live.rmse_m, 100.0 * report.live.largest_m,
       100.0 * report.precision.position_m_median, report.precision.heading_deg_median, report.nees,
       report.noise_scale, report.updates_s, 1e3 * report.longest_update_s, report.finish_s);
 }

@@ -22,6 +22,7 @@ using FourMetrics = PerModel<MapMetrics>;
 
 /// What an estimate of the trajectory says of itself.
 struct EstimateReport {
+  TrajectoryError live;           ///< of the poses that lines had when they were the newest
   PosePrecision precision;        ///< as its covariances state it
   double nees = 0.0;              ///< of the final trajectory, see planar_nees()
   double noise_scale = 1.0;       ///< learnt for the odometry, as a multiple of gmapping's

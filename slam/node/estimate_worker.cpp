@@ -116,10 +116,9 @@ EstimateNews EstimateWorker::done(const Task& task) {
   const bool has_moved = estimate_->newest() >= told_ + kPoseStep;
   news.status = estimate_->status();
   if ((is_revised || has_moved) && news.status.lines > 0) {
-    std::vector<StampedPose> trajectory = estimate_->trajectory();
-    news.now = estimate_->now(trajectory.back());
+    news.now = estimate_->now();
     told_ = news.now->stamp;
-    if (is_revised) news.revision = std::move(trajectory);
+    if (is_revised) news.revision = estimate_->trajectory();
   }
   const std::vector<Decision>& decisions = estimate_->decisions();
   for (; told_decisions_ < decisions.size(); ++told_decisions_)

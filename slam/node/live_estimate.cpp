@@ -60,7 +60,8 @@ void LiveEstimate::finish() {
   is_revised_ = true;
 }
 
-PoseOfNow LiveEstimate::now(const StampedPose& newest) const {
+PoseOfNow LiveEstimate::now() const {
+  const StampedPose newest = estimate_.newest_pose();
   Matrix6 to_map = Matrix6::Zero();
   to_map.topLeftCorner<3, 3>() = to_map.bottomRightCorner<3, 3>() = *R_map_start_;
   const Pose T_odom_base = recorded().T_odom_base()[recorded().size() - 1];

@@ -71,8 +71,8 @@ class LiveEstimate {
   /// Returns the pose of the base in map for each line. Takes time in proportion to their number.
   std::vector<StampedPose> trajectory() const { return estimate_.trajectory(); }
 
-  /// Returns the pose at the newest line, `newest`, which is the last of trajectory().
-  PoseOfNow now(const StampedPose& newest) const;
+  /// Returns the pose at the newest line. There must be one with a pose.
+  PoseOfNow now() const;
 
   /// Returns the stamp of the newest line with a pose; zero before the first.
   Time newest() const;

@@ -77,9 +77,7 @@ void TrajectoryEstimate::finish() {
 std::vector<StampedPose> TrajectoryEstimate::trajectory() const {
   std::vector<StampedPose> poses;
   poses.reserve(lines_.size());
-  for (std::uint32_t i = 0; i < lines_.size(); ++i) {
-    poses.push_back({lines_.stamp(i), T_odom_start_ * lines_.T_start_base(i)});
-  }
+  for (std::uint32_t i = 0; i < lines_.size(); ++i) poses.push_back(pose(i));
   return poses;
 }
 

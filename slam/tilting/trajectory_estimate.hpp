@@ -37,12 +37,15 @@ class TrajectoryEstimate {
   /// Returns the estimated pose of the base for each line, in odom as it was at the first line.
   std::vector<StampedPose> trajectory() const;
 
+  /// Returns the last pose of trajectory(). There must be a line.
+  StampedPose newest_pose() const { return pose(lines_.size() - 1); }
+
   /// Computes the covariances of trajectory(), a pose each, for errors as those of PoseBelief in
   /// the same frame. That of the first pose is zero: it defines the frame. Takes about the time of
   /// a third of finish(). docs/slam.md says what they contain.
   std::vector<Matrix6> covariances() const;
 
-  /// Returns the covariance of the newest pose, as tracked, in the frame of the first line's base.
+  /// Returns the covariance of newest_pose(), as tracked, in the frame of the first line's base.
   const Matrix6& covariance() const { return tracker_.belief().covariance; }
 
   /// Returns true while the robot may be on known ground at a wrong pose.
@@ -50,10 +53,16 @@ class TrajectoryEstimate {
   /// Returns all decisions about where the robot is, in their order.
   const std::vector<Decision>& decisions() const { return relocaliser_.decisions(); }
 
+  /// Returns the number of lines that were taken.
+  std::size_t size() const { return lines_.size(); }
+
   /// Returns the learnt scale of the odometry's noise, see OdometryNoise::planar_scale.
   double noise_scale() const { return noise_.planar_scale; }
 
  private:
+  StampedPose pose(std::uint32_t line) const {
+    return {lines_.stamp(line), T_odom_start_ * lines_.T_start_base(line)};
+  }
   void adjust_window();
   void restart_tracker(std::vector<std::uint32_t> context, std::uint32_t first);
   void learn_noise(std::uint32_t first_of_window);

@@ -6,6 +6,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "modeler/io/tum.hpp"
 #include "test/eval/sample_results.hpp"
 #include "test/io/temporary_directory.hpp"
 #include "test/storage/full_disk.hpp"
@@ -52,6 +53,16 @@ TEST(Results, WritesTheFilesOfTheDemo) {
   EXPECT_EQ(planes("planes_noisy.json"), 2U);
   EXPECT_EQ(planes("planes_after.json"), 1U);
   EXPECT_EQ(planes("planes_truth.json"), 1U);
+}
+
+TEST(Results, TheLiveTrajectoryIsWrittenIfThereIsOne) {
+  const TemporaryDirectory directory;
+  Results results = sample_results();
+  write_results(results, directory.path() / "truth");
+  EXPECT_FALSE(std::filesystem::exists(directory.path() / "truth" / "trajectory_live.tum"));
+  results.trajectory_live = {results.trajectory_truth.back()};
+  write_results(results, directory.path() / "self");
+  EXPECT_EQ(read_tum(directory.path() / "self" / "trajectory_live.tum").size(), 1U);
 }
 
 TEST(Results, PlanesWithoutOutlineGetOne) {

@@ -213,12 +213,17 @@ TEST(SummaryJson, StatesHowSureAnEstimateIs) {
   s.estimate->report.emplace();
   s.estimate->report->precision = {0.01, 0.02, 0.3, 0.4};
   s.estimate->report->nees = 0.75;
+  s.estimate->report->live.rmse_m = 0.06;
+  s.estimate->report->live.largest_m = 0.25;
   const json estimate = json::parse(summary_to_json(s)).at("estimate");
   EXPECT_EQ(estimate.at("position_sigma_m_median"), 0.01);
   EXPECT_EQ(estimate.at("position_sigma_m_largest"), 0.02);
   EXPECT_EQ(estimate.at("heading_sigma_deg_median"), 0.3);
   EXPECT_EQ(estimate.at("heading_sigma_deg_largest"), 0.4);
   EXPECT_EQ(estimate.at("nees"), 0.75);
+  EXPECT_EQ(estimate.at("live").at("rmse_m"), 0.06);
+  EXPECT_EQ(estimate.at("live").at("largest_m"), 0.25);
+  EXPECT_NE(summary_table(s).find("live 6.0 cm RMS (largest 25.0)"), std::string::npos);
 }
 
 }  // namespace

@@ -125,7 +125,7 @@ PoseOfNow now_in(const Pose& T_odom_world) {
   for (const mini_world::Line& line : lines_of_circle(0.0, 5.0)) {
     estimate.add(ready(line, T_odom_world));
   }
-  return estimate.now(estimate.trajectory().back());
+  return estimate.now();
 }
 
 TEST(EstimateWorker, ABaseLaserRefinesTheOdometry) {
@@ -170,11 +170,11 @@ TEST(LiveEstimate, MapIsOdomAtTheStartAndTheDifferenceIsTheDrift) {
   std::optional<PoseOfNow> first;
   for (const mini_world::Line& line : lines) {
     estimate.add(ready(line, turned));
-    if (!first && estimate.newest() > Time(0)) first = estimate.now(estimate.trajectory().back());
+    if (!first && estimate.newest() > Time(0)) first = estimate.now();
   }
   ASSERT_TRUE(first);
   EXPECT_LT(first->T_map_odom().translation().norm(), 0.005);
-  const PoseOfNow last = estimate.now(estimate.trajectory().back());
+  const PoseOfNow last = estimate.now();
   const auto has_stamp = [&](const StampedPose& pose) { return pose.stamp == last.stamp; };
   const std::vector<StampedPose> truth = mini_world::true_trajectory(lines);
   const auto here = std::find_if(truth.begin(), truth.end(), has_stamp);
