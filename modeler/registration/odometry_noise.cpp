@@ -17,8 +17,6 @@ constexpr double kMinScale = 0.01;
 constexpr double kMinVariance = 1e-10;
 // gmapping, motionmodel.cpp: a translation errs to the side by this part of its error ahead.
 constexpr double kSidewaysShare = 0.3;
-// The average time of a beam from the middle of its line, in intervals between lines.
-constexpr double kMeanBeamOffset = 0.25;
 
 }  // namespace
 
@@ -35,10 +33,6 @@ Vector6 OdometryNoise::variances(const Pose& step) const {
   Vector6 result;
   result << p * x, p * y, s * y, s * yaw, s * yaw, p * yaw;
   return result.array() + kMinVariance;
-}
-
-Vector6 OdometryNoise::variances_within_line(const Pose& step) const {
-  return kMeanBeamOffset * variances(step);
 }
 
 OdometryNoise fitted_noise(const std::vector<TrajectorySegment>& segments) {

@@ -32,10 +32,6 @@ struct OdometryNoise {
   /// Returns the variances of a step's error, along the axes of the base before the step
   /// [m2, rad2]. They are positive even if the base stands still.
   Vector6 variances(const Pose& step) const;
-
-  /// Returns the variances of the base's motion between the middle of a line and its beams, on
-  /// average. `step` is the motion from line to line.
-  Vector6 variances_within_line(const Pose& step) const;
 };
 
 /// Returns the noise whose scales match the mismatch that the odometry shows over segments of two

@@ -96,17 +96,17 @@ std::vector<std::uint32_t> PlaneLandmarks::landmarks_near(const PosedRibbon& rib
   return landmarks;
 }
 
-bool LandmarkMatcher::fits_across(const PlaneObservation& observation,
-                                  const Eigen::Vector3d& normal, const PoseBelief& belief) const {
-  const Pose& T = belief.T_model_base;
-  if (normal.dot(T.linear() * observation.normal) < kMinCosineOfSide) return false;
-  const Eigen::Vector3d across = T.linear() * observation.across;
+/// Returns how far a ribbon is tipped across its direction beyond what is tolerated, as the square
+/// of standard deviations.
+double LandmarkMatcher::square_sigmas_across(const PlaneObservation& observation,
+                                             const Eigen::Vector3d& normal,
+                                             const PoseBelief& belief) const {
+  const Eigen::Vector3d across = belief.T_model_base.linear() * observation.across;
+  const double excess = tilt(normal, across) - config_.max_tilt_across_deg * kDegree;
+  if (excess <= 0.0) return 0.0;
   const Eigen::Vector3d turn = across.cross(normal);
-  const double variance = turn.dot(belief.covariance.bottomRightCorner<3, 3>() * turn);
-  const double sigma = std::sqrt(std::max(0.0, variance));
-  const double gate =
-      config_.max_tilt_across_deg * kDegree + 2.0 * (sigma + observation.sigma_across_rad);
-  return tilt(normal, across) < gate;
+  const double of_pose = turn.dot(belief.covariance.bottomRightCorner<3, 3>() * turn);
+  return square(excess) / (std::max(0.0, of_pose) + square(observation.sigma_across_rad));
 }
 
 std::optional<LandmarkMatcher::Match> LandmarkMatcher::match_of(const PlaneObservation& observation,
@@ -115,13 +115,14 @@ std::optional<LandmarkMatcher::Match> LandmarkMatcher::match_of(const PlaneObser
   const Pose& T = belief.T_model_base;
   for (const std::uint32_t candidate : observation.candidates) {
     const PlaneLandmark& landmark = (*landmarks_)[candidate];
-    if (!fits_across(observation, landmark.normal, belief)) continue;
+    if (landmark.normal.dot(T.linear() * observation.normal) < kMinCosineOfSide) continue;
     const Eigen::Vector2d residual = residual_of(observation, landmark, T);
     const Eigen::Matrix<double, 2, 6> derivative =
         derivative_by_pose(observation, landmark.normal, T);
     Eigen::Matrix2d covariance = derivative * belief.covariance * derivative.transpose();
     covariance.diagonal() += observation.variances;
-    const double square_sigmas = residual.dot(covariance.inverse() * residual);
+    const double square_sigmas = residual.dot(covariance.inverse() * residual) +
+                                 square_sigmas_across(observation, landmark.normal, belief);
     if (square_sigmas > config_.max_chi_square) continue;
     const Match match{candidate, square_sigmas, residual};
     if (!best || square_sigmas < best->square_sigmas)

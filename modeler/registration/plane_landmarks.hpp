@@ -54,8 +54,8 @@ class LandmarkMatcher {
     double square_sigmas;  // of the innovation
     Eigen::Vector2d residual;
   };
-  bool fits_across(const PlaneObservation& observation, const Eigen::Vector3d& normal,
-                   const PoseBelief& belief) const;
+  double square_sigmas_across(const PlaneObservation& observation, const Eigen::Vector3d& normal,
+                              const PoseBelief& belief) const;
   std::optional<Match> match_of(const PlaneObservation& observation,
                                 const PoseBelief& belief) const;
   PoseInformation linearised(const std::vector<PlaneObservation>& observations,

@@ -2,10 +2,15 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "modeler/registration/plane_observation.hpp"
 
+#include <cmath>
+
 #include "modeler/observations/posed_ribbon.hpp"
 
 namespace ribbon_mapper {
 namespace {
+
+// The average time of a beam from the middle of its line, in intervals between lines.
+constexpr double kMeanBeamOffset = 0.25;
 
 /// The variance, along the normal, of a point that a motion of the base carries. All are in the
 /// frame of the base.
@@ -15,13 +20,26 @@ double variance_along(const Eigen::Vector3d& normal, const Eigen::Vector3d& poin
          point.cross(normal).cwiseAbs2().dot(variances.tail<3>());
 }
 
+/// Returns the variance of a ribbon's tilt across its direction by the base's motion from line to
+/// line. `step_variance` is that of a point along the normal.
+///
+/// The slope of a straight line through three lines at -s, 0 and s, of which the outer ones were
+/// moved, has the variance step_variance / 2 s2. The ribbon's moments hold 2/3 s2.
+double tilt_variance_across(const PosedRibbon& ribbon, double step_variance) {
+  const double base_line_square = ribbon.across.dot(ribbon.moments.covariance() * ribbon.across);
+  return step_variance / (3.0 * base_line_square);
+}
+
 }  // namespace
 
 PlaneObservation::PlaneObservation(const Ribbon& ribbon, const RangeNoise& noise,
-                                   const Vector6& motion_variances)
-    : sigma_across_rad(ribbon.sigma_across_rad) {
+                                   const Vector6& step_variances) {
   const PosedRibbon here(ribbon, Pose::Identity());
   centroid = here.centroid, normal = here.normal, along = here.along, across = here.across;
+  const Vector6 motion_variances = kMeanBeamOffset * step_variances;
+  sigma_across_rad =
+      std::sqrt(square(ribbon.sigma_across_rad) +
+                tilt_variance_across(here, variance_along(normal, centroid, step_variances)));
   const double range_variance =
       square(noise.sigma_m) * (1.0 / here.moments.weight() + square(noise.shared_ratio));
   variances[0] = range_variance + variance_along(normal, centroid, motion_variances);

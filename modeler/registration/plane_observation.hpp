@@ -35,15 +35,15 @@ struct PlaneLandmark {
 /// centroid and the tilt of its direction. Its tilt across that direction depends on the odometry
 /// from line to line and only serves to reject other planes.
 struct PlaneObservation {
-  /// `motion_variances`: of the base's motion between the middle of the line and a beam, along the
-  /// axes of the base [m2, rad2].
-  PlaneObservation(const Ribbon& ribbon, const RangeNoise& noise, const Vector6& motion_variances);
+  /// `step_variances`: of the base's motion from line to line, along the axes of the base
+  /// [m2, rad2].
+  PlaneObservation(const Ribbon& ribbon, const RangeNoise& noise, const Vector6& step_variances);
 
   Eigen::Vector3d centroid;               ///< of the ribbon's points [m]
   Eigen::Vector3d normal;                 ///< unit, towards the sensor
   Eigen::Vector3d along;                  ///< unit direction of the ribbon
   Eigen::Vector3d across;                 ///< normal x along
-  double sigma_across_rad;                ///< standard deviation of the tilt across the ribbon
+  double sigma_across_rad;                ///< of the tilt across the ribbon: ranges and motion
   Eigen::Vector2d variances;              ///< of distance [m2] and tilt [rad2]: ranges and motion
   std::vector<std::uint32_t> candidates;  ///< landmarks near it, see PlaneLandmarks::find_near()
 };

@@ -78,8 +78,8 @@ void Registration::add_observations(const PackedPoses& T_odom_base) {
   for (const Ribbon& ribbon : ribbons_) {
     const std::size_t next = std::min<std::size_t>(ribbon.pose + 1, lines_.size() - 1);
     const Pose step = T_odom_base[next - 1].inverse(Eigen::Isometry) * T_odom_base[next];
-    const Vector6 motion = odometry_noise_.variances_within_line(step);
-    lines_[ribbon.pose].observations.emplace_back(ribbon, range_noise_, motion);
+    lines_[ribbon.pose].observations.emplace_back(ribbon, range_noise_,
+                                                  odometry_noise_.variances(step));
   }
 }
 

@@ -31,10 +31,10 @@ struct RegistrationConfig {
   /// surface's reflectance: a quarter. Averaging does not reduce it.
   double shared_sigma_ratio = 0.25;
 
-  /// Largest tilt of a ribbon across its direction from a landmark, beyond two standard deviations
-  /// [deg]: the moving robot's tolerance of the paper (3.2 degrees, section 5.1), and 3 degrees by
-  /// which an error of the odometry from line to line bends a normal.
-  double max_tilt_across_deg = 6.2;
+  /// Largest tilt of a ribbon across its direction from a landmark that does not count [deg]: the
+  /// moving robot's tolerance of the paper (section 5.1). A larger one adds to the Mahalanobis
+  /// distance by the noise of ranges, odometry and pose.
+  double max_tilt_across_deg = 3.2;
 
   /// Largest squared Mahalanobis distance of a ribbon from its landmark, in distance and tilt.
   /// With two degrees of freedom, chance exceeds 11.8 once in 365 times (three sigma).

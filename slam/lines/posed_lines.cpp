@@ -135,11 +135,11 @@ PoseBelief PosedLines::after_step_to(std::size_t line, const PoseBelief& before,
 
 std::vector<PlaneObservation> PosedLines::measured(std::size_t line, const OdometryNoise& noise,
                                                    const RangeNoise& ranges) const {
-  const Vector6 motion = noise.variances_within_line(step(line));
+  const Vector6 variances = noise.variances(step(line));
   std::vector<PlaneObservation> result;
   result.reserve(first_ribbons_[line + 1] - first_ribbons_[line]);
   for (std::uint32_t i = first_ribbons_[line]; i < first_ribbons_[line + 1]; ++i) {
-    result.emplace_back(ribbon(i), ranges, motion);
+    result.emplace_back(ribbon(i), ranges, variances);
   }
   return result;
 }

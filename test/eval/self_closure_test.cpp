@@ -50,6 +50,14 @@ TEST(SelfClosure, MovesNothingOntoACorridorThatLooksAlike) {
   EXPECT_LT(summary.estimate->error.rmse_m, 0.03);
 }
 
+/// Where the laser looks down, lines on a wall are close together, and what the odometry turns from
+/// one to the next tips the ribbon by 10 degrees and more. It is of that wall none the less.
+TEST(SelfClosure, KnowsWallsWhoseRibbonsTheOdometryHasTipped) {
+  const Summary summary = self_corrected(1, "", "worlds/ring_pilasters.sdf");
+  EXPECT_THAT(summary.estimate->report->decisions, testing::IsEmpty());
+  EXPECT_LT(summary.estimate->report->live.largest_m, 0.2);
+}
+
 /// The fronts of two cupboards, one behind the door and 0.17 m beside the one before it, are taken
 /// for one plane by gates as wide as those for a robot that has drifted far.
 TEST(SelfClosure, TakesNoNewFrontForOneNearlyInItsPlane) {

@@ -73,21 +73,39 @@ Ribbon tipped(double angle_deg) {
 TEST(Matches, NoRibbonThatIsTippedAcrossItsDirection) {
   const PlaneLandmarks wall = one_wall().landmarks();
   const PoseBelief exact = belief_at(Pose::Identity(), 1e-6);
-  EXPECT_EQ(0, match(wall, exact, tipped(5.9)));
-  EXPECT_EQ(-1, match(wall, exact, tipped(6.5)));
-  EXPECT_EQ(-1, match(wall, exact, tipped(-6.5)));
+  EXPECT_EQ(0, match(wall, exact, tipped(2.9)));
+  EXPECT_EQ(-1, match(wall, exact, tipped(3.5)));
+  EXPECT_EQ(-1, match(wall, exact, tipped(-3.5)));
   RegistrationConfig config;
-  config.max_tilt_across_deg = 7.0;
-  EXPECT_EQ(0, match(one_wall().landmarks(config), exact, tipped(6.5)));
+  config.max_tilt_across_deg = 4.0;
+  EXPECT_EQ(0, match(one_wall().landmarks(config), exact, tipped(3.5)));
 }
 
 TEST(Matches, ATiltAcrossWithinTheErrorsOfRibbonAndPose) {
   const PlaneLandmarks wall = one_wall().landmarks();
-  EXPECT_EQ(0, match(wall, belief_at(Pose::Identity(), 0.5 * kDegree), tipped(6.9)));
-  EXPECT_EQ(-1, match(wall, belief_at(Pose::Identity(), 0.5 * kDegree), tipped(7.6)));
-  Ribbon weak = tipped(7.6);
+  EXPECT_EQ(0, match(wall, belief_at(Pose::Identity(), 0.5 * kDegree), tipped(4.8)));
+  EXPECT_EQ(-1, match(wall, belief_at(Pose::Identity(), 0.5 * kDegree), tipped(5.1)));
+  Ribbon weak = tipped(5.1);
   weak.sigma_across_rad = static_cast<float>(1.0 * kDegree);
   EXPECT_EQ(0, match(wall, belief_at(Pose::Identity(), 1e-6), weak));
+}
+
+TEST(Matches, OfTwoPlanesThatCrossInTheRibbonTheOneThatIsTippedLess) {
+  const Eigen::Vector3d middle(2.0, 0.0, 0.7);
+  std::vector<PlaneLandmark> landmarks;
+  for (const double tip_deg : {11.0, 0.0}) {
+    const Eigen::AngleAxisd tip(tip_deg * kDegree, Vector3d::UnitY());
+    landmarks.push_back(
+        {-(tip * Vector3d::UnitX()), Vector3d::UnitY(), -(tip * Vector3d::UnitZ()), middle});
+  }
+  Ribbon ribbon = tipped(4.0);
+  ribbon.sigma_across_rad = static_cast<float>(4.0 * kDegree);  // both may be
+  RibbonsOfLine line{PlaneObservation(ribbon, kNoise, Vector6::Zero())};
+  line.front().candidates = {0, 1};
+  const LandmarkMatcher matcher(landmarks, RegistrationConfig());
+  const auto matches = matcher.matches(line, belief_at(Pose::Identity(), 0.01));
+  ASSERT_EQ(1U, matches.size());
+  EXPECT_EQ(1U, matches.front().landmark);
 }
 
 TEST(Matches, TheLikelierOfTwoPlanesIfItLeads) {

@@ -38,7 +38,7 @@ TEST(PlaneObservation, TakesTheRibbonsGeometry) {
   EXPECT_LT((wall.normal + Vector3d::UnitX()).norm(), 1e-6);
   EXPECT_LT((wall.along - Vector3d::UnitY()).norm(), 1e-6);
   EXPECT_LT((wall.across - wall.normal.cross(wall.along)).norm(), 1e-12);
-  EXPECT_EQ(0.125, wall.sigma_across_rad);
+  EXPECT_NEAR(0.125, wall.sigma_across_rad, 1e-12);
   EXPECT_TRUE(wall.candidates.empty());
 }
 
@@ -61,16 +61,47 @@ TEST(PlaneObservation, ItsTiltIsThatOfALineThroughItsPoints) {
 }
 
 TEST(PlaneObservation, MotionWithinTheLineAddsWhatItDoesToTheRibbon) {
-  Vector6 motion;
+  Vector6 motion;  // of a beam in the mean: a quarter of the way from line to line
   motion << 1e-4, 2e-4, 3e-4, 4e-5, 5e-5, 6e-5;
   const PlaneObservation still = observed(wall_ribbon());
-  const PlaneObservation moving(wall_ribbon(), kNoise, motion);
+  const PlaneObservation moving(wall_ribbon(), kNoise, 4.0 * motion);
   const auto derivative = derivative_by_pose(still, still.normal, Pose::Identity());
   const Vector2d expected = derivative.cwiseAbs2() * motion;
   EXPECT_LT((still.variances + expected - moving.variances).norm(), 1e-12);
   // The wall ahead: x, pitch about the height of 1 m, and yaw about no lever; its tilt: yaw.
   EXPECT_NEAR(1e-4 + 5e-5, expected[0], 1e-9);
   EXPECT_NEAR(6e-5, expected[1], 1e-9);
+}
+
+/// Returns the slope of the plane through three parallel lines, 3 cm apart, of which the outer ones
+/// are displaced along the normal.
+double slope(double before_m, double after_m) {
+  constexpr double kLineStep_m = 0.03;
+  Moments lines;
+  for (const double along_m : {-0.5, 0.5}) {
+    lines.add({along_m, -kLineStep_m, before_m});
+    lines.add({along_m, 0.0, 0.0});
+    lines.add({along_m, kLineStep_m, after_m});
+  }
+  const Vector3d normal = fit_plane(lines).normal();
+  return -normal.y() / normal.z();
+}
+
+TEST(PlaneObservation, MotionFromLineToLineTipsTheRibbon) {
+  // Both outer lines move by a standard deviation of 2 mm: each alone tips the plane.
+  const double sigma_m = 0.002;
+  const double expected_rad = std::hypot(slope(sigma_m, 0.0), slope(0.0, sigma_m));
+  Ribbon ribbon = wall_ribbon();
+  Moments line;
+  for (int i = -50; i <= 50; ++i) line.add({2.0, 0.01 * i, 1.0});
+  line.spread(std::sqrt(2.0 / 3.0) * 0.03 * Vector3d::UnitZ());  // the base line of three lines
+  ribbon.moments = line;
+  Vector6 step = Vector6::Zero();
+  step[0] = square(sigma_m);  // towards the wall
+  EXPECT_NEAR(expected_rad, PlaneObservation(ribbon, kNoise, step).sigma_across_rad, 1e-4);
+  ribbon.sigma_across_rad = 0.03F;
+  EXPECT_NEAR(std::hypot(expected_rad, 0.03),
+              PlaneObservation(ribbon, kNoise, step).sigma_across_rad, 1e-4);
 }
 
 TEST(RangeNoise, TheSharedPartIsARatio) { EXPECT_DOUBLE_EQ(0.0025, kNoise.shared_sigma_m()); }
