@@ -69,15 +69,15 @@ def draw_map(axes, directory):
 def draw_errors(axes, directory):
     truth = timed(directory / "trajectory_truth.tum")
     for name, label, style in [("before", "odometry", ODOMETRY),
-                               ("live", "estimate of now, as the node sends it", LIVE),
-                               ("after", "estimate in the end", ESTIMATE)]:
+                               ("live", "estimate, live", LIVE),
+                               ("after", "estimate, in the end", ESTIMATE)]:
         trajectory = timed(directory / f"trajectory_{name}.tum")
         seconds = [pose[0] - trajectory[0][0] for pose in trajectory]
         errors = [100 * error for error in errors_m(trajectory, truth)]
         axes.plot(seconds, errors, label=label, **style)
     sigmas = [100 * sigma for sigma in stated_sigmas_m(directory / "trajectory_covariance.csv")]
     axes.plot(seconds, sigmas, color="tab:blue", linewidth=0.8, linestyle=":",
-              label="as the estimate states it (1 sigma)")
+              label="standard deviation, as stated")
     axes.set(yscale="log", ylim=(0.1, 500), xlim=(0, seconds[-1]), xlabel="time [s]",
              ylabel="error of the position [cm]")
     axes.grid(True, linewidth=0.3)
