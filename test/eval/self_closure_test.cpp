@@ -23,9 +23,9 @@ Summary self_corrected(std::uint64_t seed, const std::string& odometry_faults,
 }
 
 /// The robot was moved back to where it is.
-void expect_found(const Summary& summary) {
+void expect_found(const Summary& summary, double within_m = 0.03) {
   EXPECT_THAT(summary.estimate->report->decisions, testing::Contains(testing::HasSubstr("found")));
-  EXPECT_LT(summary.estimate->error.rmse_m, 0.03);
+  EXPECT_LT(summary.estimate->error.rmse_m, within_m);
 }
 
 /// As expect_found(), and all planes of the flat were found.
@@ -73,17 +73,16 @@ TEST(SelfClosure, MovesNothingAlongAWall) {
   EXPECT_LT(summary.estimate->error.rmse_m, 0.03);
 }
 
-/// The odometry turns by 14 and by 6 degrees in a second each while the laser shows no wall; then,
-/// walls are within the gates of the fronts of pilasters.
-TEST(SelfClosure, NoticesThatWallsWereTakenForPilasters) {
-  expect_found(self_corrected(13, "", "worlds/ring_pilasters.sdf"));
+/// Behind the slip, walls are within the gates of the fronts of pilasters.
+TEST(SelfClosure, NoticesThatWallsAreTakenForPilasters) {
+  expect_found(self_corrected(61, "slip=46:15", "worlds/ring_pilasters.sdf"));
 }
 
-/// At the first corner, walls were taken for the fronts of pilasters, and the way was turned by 4.6
-/// degrees. 190 s later, the corridor of the start seems to lie beside the one in view, which share
-/// a wall: nothing is contradicted.
+/// The wheels slip at the first corner, around which nothing is known. 190 s later, the corridor of
+/// the start seems to lie beside the one in view, which share a wall: nothing is contradicted. Not
+/// closed, or at another place, the loop would be metres off.
 TEST(SelfClosure, ClosesALongLoopOverATurnThatNothingContradicted) {
-  expect_found(self_corrected(61, "", "worlds/ring_pilasters.sdf"));
+  expect_found(self_corrected(61, "slip=66:10", "worlds/ring_pilasters.sdf"), 0.05);
 }
 
 /// The slip happens in a room that was entered 20 s before. Found from the newest lines alone, it
@@ -170,8 +169,8 @@ TEST(SelfClosure, FindsAShiftFromBeforeTheLastKnownGround) {
 }
 
 /// Drift by 27 degrees explained the move too, and would have turned a flat in which walls were in
-/// sight all along.
-TEST(SelfClosure, TakesNoPushForDrift) { expect_found(self_corrected(108, "push=113:1")); }
+/// sight all along, and bent it by 24 cm. Without the push, 2.4 cm are left: the start is turned.
+TEST(SelfClosure, TakesNoPushForDrift) { expect_found(self_corrected(108, "push=113:1"), 0.05); }
 
 /// Behind the push, what is seen is new in part. Most of it fits what was seen just before if
 /// moved, and is at the right place only there.
