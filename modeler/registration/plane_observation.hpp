@@ -43,7 +43,7 @@ struct PlaneObservation {
   Eigen::Vector3d normal;                 ///< unit, towards the sensor
   Eigen::Vector3d along;                  ///< unit direction of the ribbon
   Eigen::Vector3d across;                 ///< normal x along
-  double sigma_across_rad;                ///< of the tilt across the ribbon: ranges and motion
+  double sigma_across_rad;                ///< standard deviation of the tilt across the ribbon
   Eigen::Vector2d variances;              ///< of distance [m2] and tilt [rad2]: ranges and motion
   std::vector<std::uint32_t> candidates;  ///< landmarks near it, see PlaneLandmarks::find_near()
 };
