@@ -36,16 +36,15 @@ PlaneObservation::PlaneObservation(const Ribbon& ribbon, const RangeNoise& noise
                                    const Vector6& step_variances) {
   const PosedRibbon here(ribbon, Pose::Identity());
   centroid = here.centroid, normal = here.normal, along = here.along, across = here.across;
-  const Vector6 motion_variances = kMeanBeamOffset * step_variances;
+  const double step_variance = variance_along(normal, centroid, step_variances);
   sigma_across_rad =
-      std::sqrt(square(ribbon.sigma_across_rad) +
-                tilt_variance_across(here, variance_along(normal, centroid, step_variances)));
+      std::sqrt(square(ribbon.sigma_across_rad) + tilt_variance_across(here, step_variance));
   const double range_variance =
       square(noise.sigma_m) * (1.0 / here.moments.weight() + square(noise.shared_ratio));
-  variances[0] = range_variance + variance_along(normal, centroid, motion_variances);
+  variances[0] = range_variance + kMeanBeamOffset * step_variance;
   // The slope of a straight line through points spread evenly over its length.
   variances[1] = 12.0 * range_variance / square(ribbon.length_m) +
-                 along.cross(normal).cwiseAbs2().dot(motion_variances.tail<3>());
+                 kMeanBeamOffset * along.cross(normal).cwiseAbs2().dot(step_variances.tail<3>());
 }
 
 Eigen::Vector2d residual_of(const PlaneObservation& observation, const PlaneLandmark& landmark,
