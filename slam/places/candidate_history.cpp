@@ -10,7 +10,6 @@
 
 #include "modeler/geometry/angles.hpp"
 #include "slam/matching/planar_pose.hpp"
-#include "slam/places/evident_slip.hpp"
 
 namespace ribbon_mapper::slam {
 namespace {
@@ -65,54 +64,73 @@ class Candidates {
                         oldest = first_within(lines_, kMemory_s);
     const std::uint32_t doubted =
         std::max(oldest, lines_before(settings_.estimate.window_s, lines_, known).first);
-    const auto evident = evident_slip_in({doubted, lines_.size()});
-    if (evident && add_slip(evident->seam) && evident->is_explained) {
-      found_.back().saved = evident->ribbons;
-      return found_;
+    for (const FittingSlip& slip : slips_in({doubted, lines_.size()})) {
+      if (slip.evidence.is_explained && is_slip(slip.seam)) {
+        found_ = {slip_within(slip.seam)};
+        found_.back().saved = slip.evidence.ribbons;
+        return found_;
+      }
+      add_slip(slip.seam);
     }
     // That known walls stood before what was in view is evidence of its own: another place must
     // save a plane.
     if (move_.tear) add_slip({*move_.tear, *move_.tear}, settings_.registration.min_ribbons);
-    if (lines_.seconds_between(move_.seam.first, move_.seam.end) < kShortSeam_s) {
+    if (lines_.seconds_between(move_.seam.first, move_.seam.end) < kShortSeam_s)
       add_slip(move_.seam);
-    } else {
-      add_long_way({oldest, doubted}, evident ? evident->ribbons : 0.0);
+    else
+      add_long_way();
+    if (!move_.tear) {  // else, it began to be wrong there
+      for (const FittingSlip& slip : slips_in({oldest, doubted})) add_slip(slip.seam);
     }
+    leave_out_contradicted();
     return found_;
   }
 
  private:
   const RelocaliserConfig& config() const { return settings_.estimate.relocaliser; }
 
-  /// Adds a slip within a seam, if it may have made the move. Returns true if it may.
-  bool add_slip(const Seam& seam, double lead = 0.0) {
-    const Pose& T_start_start = move_.T_start_start;
-    if (distance_at(seam.end, T_start_start, lines_) > config().radius_m ||
-        !may_slip(seam, T_start_start, lines_, config().drift_sigmas)) {
-      return false;
-    }
-    found_.push_back({T_start_start, seam, true, Decision::Kind::found, lead});
-    return true;
+  std::vector<FittingSlip> slips_in(const LineRange& range) const {
+    return fitting_slips(lines_, range, move_.T_start_start, settings_);
   }
-  bool add_slip_at(std::uint32_t line) { return add_slip({line, line}); }
-
-  std::optional<EvidentSlip> evident_slip_in(const LineRange& range) const {
-    return evident_slip(lines_, range, move_.T_start_start, settings_);
+  /// Returns true if a slip within a seam may have made the move.
+  bool is_slip(const Seam& seam) const {
+    return distance_at(seam.end, move_.T_start_start, lines_) <= config().radius_m &&
+           may_slip(seam, move_.T_start_start, lines_, config().drift_sigmas);
+  }
+  CandidateHistory slip_within(const Seam& seam) const {
+    CandidateHistory slip{move_.T_start_start, seam, true, Decision::Kind::found};
+    slip.evidence = slip_evidence(lines_, seam.first, move_.T_start_start, settings_);
+    return slip;
   }
 
-  /// Adds the places between two ends of a seam that are far apart, and one before them if it shows
-  /// more than `shown_ribbons`. What was seen in the meantime belongs to what was seen before, to
-  /// what is seen now, or to both.
-  void add_long_way(const LineRange& before, double shown_ribbons) {
+  /// Adds a slip within a seam, if it may have made the move and is not there yet.
+  void add_slip(const Seam& seam, double lead = 0.0) {
+    const bool is_there = std::any_of(found_.begin(), found_.end(), [&](const auto& other) {
+      return other.seam.first == seam.first && other.seam.end == seam.end;
+    });
+    if (is_there || !is_slip(seam)) return;
+    found_.push_back(slip_within(seam));
+    found_.back().lead = lead;
+  }
+  void add_slip_at(std::uint32_t line) { add_slip({line, line}); }
+
+  /// Leaves out the slips that lines contradict, unless nothing else is left.
+  void leave_out_contradicted() {
+    const auto contradicted = std::stable_partition(
+        found_.begin(), found_.end(),
+        [](const CandidateHistory& history) { return !history.evidence.is_contradicted; });
+    if (contradicted != found_.begin()) found_.erase(contradicted, found_.end());
+  }
+
+  /// Adds the places between two ends of a seam that are far apart. What was seen in the meantime
+  /// belongs to what was seen before, to what is seen now, or to both.
+  void add_long_way() {
     add_slip_at(move_.seam.end);
     add_slip_at(move_.seam.first);
     if (move_.seam.split) add_slip_at(*move_.seam.split);
     const Seam way{std::max<std::uint32_t>(1, move_.last_seen), move_.seam.end};
     if (move_.tear || way.first >= way.end) return;  // it began to be wrong there
     if (const auto pivot = pivot_of(way, move_.T_start_start, lines_)) add_slip_at(*pivot);
-    // A slip that nothing has contradicted may lie farther back. Whether it does, the cost tells.
-    const auto earlier = evident_slip_in(before);
-    if (earlier && earlier->ribbons > shown_ribbons) add_slip(earlier->seam);
     if (is_drift(way)) {
       found_.push_back({move_.T_start_start, way, false, Decision::Kind::found});
     }
@@ -142,6 +160,7 @@ CandidateHistory CandidateHistory::taken_back() const {
   without.is_slip = false;
   without.kind = Decision::Kind::undone;
   without.lead = 0.0;
+  without.evidence = {};
   without.saved = -saved;
   return without;
 }

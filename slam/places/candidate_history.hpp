@@ -6,17 +6,19 @@
 
 #include "slam/places/decision.hpp"
 #include "slam/places/move_finder.hpp"
+#include "slam/places/slip_evidence.hpp"
 
 namespace ribbon_mapper::slam {
 
 /// A history in which lines are moved.
 struct CandidateHistory {
-  Pose T_start_start;   ///< of the lines behind the seam
-  Seam seam;            ///< before it, lines stay; in it, they are moved in part
-  bool is_slip;         ///< the odometry has failed within the seam
-  Decision::Kind kind;  ///< if it is chosen
-  double lead = 0.0;    ///< the cost that later candidates must save beyond it
-  double saved = 0.0;   ///< the cost that it saves where the wheels have slipped
+  Pose T_start_start;          ///< of the lines behind the seam
+  Seam seam;                   ///< before it, lines stay; in it, they are moved in part
+  bool is_slip;                ///< the odometry has failed within the seam
+  Decision::Kind kind;         ///< if it is chosen
+  double lead = 0.0;           ///< the cost that later candidates must save beyond it
+  double saved = 0.0;          ///< the cost that it saves where the wheels have slipped
+  SlipEvidence evidence = {};  ///< what the lines around the seam say of a slip there
 
   /// Returns the history without this one, once it was chosen. What had shown a slip counts against
   /// it.
@@ -34,8 +36,8 @@ bool is_far(const FoundMove& move, const PosedLines& lines, const RelocaliserCon
 /// Returns the histories in which a move may have been made: by a slip at one moment, or by drift
 /// since the place was seen for the last time.
 ///
-/// Where lines show the slip by themselves, and explain it, see EvidentSlip, it was made there, and
-/// there is no other history.
+/// Where the slip explains most of what the lines around it see, it was made there, and there is no
+/// other history. One that they contradict is left out if there are others.
 std::vector<CandidateHistory> candidate_histories(const FoundMove& move, const PosedLines& lines,
                                                   const OdometryNoise& noise,
                                                   const EstimateSettings& settings);

@@ -3,6 +3,7 @@
 #include "slam/places/relocaliser.hpp"
 
 #include <algorithm>
+#include <limits>
 #include <sstream>
 #include <utility>
 
@@ -90,7 +91,8 @@ std::optional<Relocaliser::Choice> Relocaliser::best_of(
   const EstimateConfig& config = settings_.estimate;
   const std::vector<std::uint32_t> compared = compared_lines(finding, lines, config);
   const HistoryCost before = history_cost(lines, compared, settings_);
-  double least = before.total - settings_.registration.min_ribbons;  // one plane less
+  const double most = before.total - settings_.registration.min_ribbons;  // one plane less
+  double least = std::numeric_limits<double>::infinity();
   std::optional<Choice> best;
   // All are adjusted alike: a history that may bend more lines explains more.
   std::uint32_t first = first_within(lines, config.window_s);
@@ -104,12 +106,15 @@ std::optional<Relocaliser::Choice> Relocaliser::best_of(
     const double total = after.total - candidate.saved - freed;
     // Known walls may be wrong themselves, and other places look alike: what is seen through walls
     // or shows a slip moves nothing alone.
-    if (after.total >= before.total || total >= least) continue;
+    if (after.total >= before.total || total >= most) continue;
+    // Among those that may be, what lines show around a slip tells where it was.
+    const double cost = total - candidate.evidence.ribbons;
+    if (cost >= least) continue;
     // New ground may look like known ground in part.
     const bool explains_more =
         after.planes < before.planes && after.unexplained <= before.unexplained;
     if (is_move && finding.move->is_partial && !explains_more) continue;
-    least = total - candidate.lead;
+    least = cost - candidate.lead;
     best = Choice{candidate, std::move(history), before, after};
   }
   return best;

@@ -2,17 +2,21 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "slam/places/known_scene.hpp"
 
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <numeric>
 
-#include "slam/places/evident_slip.hpp"
 #include "slam/places/history_cost.hpp"
 #include "slam/places/seam.hpp"
+#include "slam/places/slip_evidence.hpp"
 #include "test/modeler/mini_world.hpp"
 
 namespace ribbon_mapper::slam {
 namespace {
+
+using ::testing::IsEmpty;
+using ::testing::SizeIs;
 
 constexpr double kRadius_m = 1.5;  // of the window that is searched
 
@@ -192,36 +196,59 @@ struct DrivenRoom : SeenRoom {
   }
 };
 
-TEST(EvidentSlip, LiesWhereLinesFitWhatTheyHaveJustSeenOnlyIfMoved) {
+TEST(FittingSlips, LieWhereLinesFitWhatTheyHaveJustSeenOnlyIfMoved) {
   DrivenRoom room;
   const Pose back = room.slip(450);
-  const auto slip = evident_slip(room.lines, {1, room.lines.size()}, back, room.settings);
-  ASSERT_TRUE(slip);
-  EXPECT_NEAR(slip->seam.first, 450, 10);
-  EXPECT_NEAR(slip->seam.end, 450, 10);
-  EXPECT_GT(slip->ribbons, 100.0);
+  const auto slips = fitting_slips(room.lines, {1, room.lines.size()}, back, room.settings);
+  ASSERT_FALSE(slips.empty());
+  EXPECT_NEAR(slips[0].seam.first, 450, 10);
+  EXPECT_NEAR(slips[0].seam.end, 450, 10);
+  EXPECT_GT(slips[0].evidence.ribbons, 100.0);
+  EXPECT_TRUE(slips[0].evidence.is_explained);
 }
 
-TEST(EvidentSlip, IsNowhereInLinesThatFitWhereTheyAre) {
+TEST(FittingSlips, AreNowhereInLinesThatFitWhereTheyAre) {
   DrivenRoom room;
   const LineRange all{1, room.lines.size()};
-  EXPECT_FALSE(evident_slip(room.lines, all, in_space({0.4, 0.3, 0.2}), room.settings));
-  EXPECT_FALSE(evident_slip(room.lines, all, Pose::Identity(), room.settings));
+  EXPECT_THAT(fitting_slips(room.lines, all, in_space({0.4, 0.3, 0.2}), room.settings), IsEmpty());
+  EXPECT_THAT(fitting_slips(room.lines, all, Pose::Identity(), room.settings), IsEmpty());
 }
 
-TEST(EvidentSlip, IsNotThatOfAnotherMove) {
+TEST(FittingSlips, ExplainNothingIfTheyAreThoseOfAnotherMove) {
   DrivenRoom room;
   room.slip(450);
-  const LineRange all{1, room.lines.size()};
-  EXPECT_FALSE(evident_slip(room.lines, all, in_space({0.0, 1.0, -0.4}), room.settings));
+  const Pose other = in_space({0.0, 1.0, -0.4});
+  for (const FittingSlip& slip :
+       fitting_slips(room.lines, {1, room.lines.size()}, other, room.settings)) {
+    EXPECT_FALSE(slip.evidence.is_explained);
+  }
 }
 
 /// Three seconds are looked at, behind the second in which the robot may be slipping still.
-TEST(EvidentSlip, IsNotToldFromTooFewLinesBehindIt) {
+TEST(FittingSlips, AreNotToldFromTooFewLinesBehindThem) {
   DrivenRoom room;
   const std::uint32_t line = room.lines.size() - 60;
   const Pose back = room.slip(line);
-  EXPECT_FALSE(evident_slip(room.lines, {line, room.lines.size()}, back, room.settings));
+  EXPECT_THAT(fitting_slips(room.lines, {line, room.lines.size()}, back, room.settings), IsEmpty());
+}
+
+TEST(FittingSlips, AreTwoIfLinesFitInTwoPlaces) {
+  DrivenRoom room;
+  const Pose back = room.slip(250);
+  room.slip(450);
+  const auto slips = fitting_slips(room.lines, {1, room.lines.size()}, back, room.settings);
+  ASSERT_THAT(slips, SizeIs(2));
+  EXPECT_NEAR(slips[0].seam.first, 250, 40);  // a second
+  EXPECT_GE(slips[0].evidence.ribbons, slips[1].evidence.ribbons);
+  EXPECT_NEAR(slips[1].seam.first, 450, 40);  // a second
+}
+
+TEST(SlipEvidence, ContradictsASlipWhereLinesFitWhatTheyHaveJustSeen) {
+  DrivenRoom room;
+  const Pose back = room.slip(450);
+  EXPECT_TRUE(slip_evidence(room.lines, 300, back, room.settings).is_contradicted);
+  EXPECT_FALSE(slip_evidence(room.lines, 450, back, room.settings).is_contradicted);
+  EXPECT_EQ(slip_evidence(room.lines, room.lines.size() - 1, back, room.settings).ribbons, 0.0);
 }
 
 TEST(MostStrained, IsTheSecondThatContradictsItsOdometry) {

@@ -1,15 +1,17 @@
 // SPDX-FileCopyrightText: 2026 ribbon_mapper authors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "slam/places/evident_slip.hpp"
+#include "slam/places/slip_evidence.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <numeric>
-#include <vector>
 
 namespace ribbon_mapper::slam {
 namespace {
 
-constexpr double kSlip_s = 1.0;  // half of a push
+constexpr double kSlip_s = 1.0;        // half of a push
+constexpr double kNear_s = 6.0;        // two places within it are compared by the same lines
+constexpr std::size_t kMostSlips = 2;  // each costs an adjustment
 
 /// How far some lines fit known walls.
 struct Comparison {
@@ -18,10 +20,14 @@ struct Comparison {
 
   /// Returns how many more ribbons fit if moved.
   double gain() const { return (moved.evidence_m() - here.evidence_m()) / ribbon_m; }
-  /// Returns true if most of what does not fit where it is fits if moved. Else, it is new ground
-  /// that happens to be like what is known.
-  bool is_explained(const RelocaliserConfig& config) const {
-    return moved.known() >= config.least_known && 1.0 - moved.known() <= 0.5 * (1.0 - here.known());
+  /// Returns what they say of a slip. If most of what does not fit stays so, it is new ground that
+  /// happens to be like what is known.
+  SlipEvidence evidence(const EstimateSettings& settings) const {
+    const double least = settings.registration.min_ribbons;
+    return {gain(),
+            gain() >= least && moved.known() >= settings.estimate.relocaliser.least_known &&
+                1.0 - moved.known() <= 0.5 * (1.0 - here.known()),
+            gain() <= -least && moved.evidence_m() < 0.5 * here.evidence_m()};
   }
 };
 
@@ -40,9 +46,11 @@ class Place {
     behind_ = lines_within(0.5 * query_s(), lines, first, lines.size());
   }
 
+  /// Returns true if more lines behind the place are to come.
+  bool is_new() const { return behind_.end == lines_.size(); }
+
   /// Compares the lines behind the place with what was seen before it, where they are and moved.
   Comparison compared(const Pose& T_start_start) const {
-    if (behind_.end == lines_.size()) return {};  // too few lines yet
     const KnownScene scene(lines_, indices_of(lines_before(query_s(), lines_, line_)), settings_);
     return {agreement_with(scene, Pose::Identity()), agreement_with(scene, T_start_start),
             ribbon_m()};
@@ -82,22 +90,53 @@ class Place {
   LineRange behind_;
 };
 
+/// A line at which a slip fits.
+struct FittingLine {
+  std::uint32_t line;
+  Comparison compared;
+};
+
+/// Enters a line among the best of others, which are ordered. Of lines that are close together,
+/// only the best one stays.
+void enter(const FittingLine& fitting, const PosedLines& lines, std::vector<FittingLine>& best) {
+  const double gain = fitting.compared.gain();
+  const auto is_near = [&](const FittingLine& other) {
+    return std::abs(lines.seconds_between(other.line, fitting.line)) < kNear_s;
+  };
+  const auto near = std::find_if(best.begin(), best.end(), is_near);
+  if (near != best.end() && near->compared.gain() >= gain) return;
+  best.erase(std::remove_if(best.begin(), best.end(), is_near), best.end());
+  const auto next = std::find_if(best.begin(), best.end(), [&](const FittingLine& other) {
+    return other.compared.gain() < gain;
+  });
+  best.insert(next, fitting);
+  if (best.size() > kMostSlips) best.pop_back();
+}
+
 }  // namespace
 
-std::optional<EvidentSlip> evident_slip(const PosedLines& lines, const LineRange& range,
-                                        const Pose& T_start_start,
-                                        const EstimateSettings& settings) {
-  std::optional<Place> best;
-  Comparison most;
+SlipEvidence slip_evidence(const PosedLines& lines, std::uint32_t line, const Pose& T_start_start,
+                           const EstimateSettings& settings) {
+  return Place(line, lines, settings).compared(T_start_start).evidence(settings);
+}
+
+std::vector<FittingSlip> fitting_slips(const PosedLines& lines, const LineRange& range,
+                                       const Pose& T_start_start,
+                                       const EstimateSettings& settings) {
+  std::vector<FittingLine> best;
   for (std::uint32_t i = range.first; i < range.end;
        i = lines_within(kSlip_s, lines, i, range.end).end) {
     const Place place(i, lines, settings);
+    if (place.is_new()) break;
     const Comparison compared = place.compared(T_start_start);
-    if (compared.gain() > most.gain()) most = compared, best.emplace(place);
+    if (compared.gain() > 0.0) enter({i, compared}, lines, best);
   }
-  if (most.gain() < settings.registration.min_ribbons) return std::nullopt;
-  return EvidentSlip{best->seam(T_start_start), most.gain(),
-                     most.is_explained(settings.estimate.relocaliser)};
+  std::vector<FittingSlip> slips;
+  for (const FittingLine& fitting : best) {
+    slips.push_back({Place(fitting.line, lines, settings).seam(T_start_start),
+                     fitting.compared.evidence(settings)});
+  }
+  return slips;
 }
 
 }  // namespace ribbon_mapper::slam
