@@ -168,6 +168,18 @@ TEST(SelfClosure, FindsAShiftFromBeforeTheLastKnownGround) {
   expect_found_in_the_flat(self_corrected(62, "shift=15.9:0.5"));
 }
 
+/// The shift was made just behind a corner, where it contradicts nothing. When the robot is back, a
+/// minute later, the move is found, and lines from before the last known ground show where it was.
+TEST(SelfClosure, FindsAShiftBehindACornerOfLongAgo) {
+  expect_found_in_the_flat(self_corrected(131, "shift=51.8:-0.5"));
+}
+
+/// Two minutes after a shift at the first corner, it could be put at a door as well: adjusting would
+/// bend the loop until its planes agree. But the robot has looked at the same walls all the time.
+TEST(SelfClosure, PutsNoShiftWhereWallsWereFollowed) {
+  expect_found_in_the_flat(self_corrected(133, "shift=10.1:-0.5"));
+}
+
 /// Drift by 27 degrees explained the move too, and would have turned a flat in which walls were in
 /// sight all along, and bent it by 24 cm. Without the push, 2.4 cm are left: the start is turned.
 TEST(SelfClosure, TakesNoPushForDrift) { expect_found(self_corrected(108, "push=113:1"), 0.05); }
