@@ -174,8 +174,9 @@ TEST(SelfClosure, FindsAShiftBehindACornerOfLongAgo) {
   expect_found_in_the_flat(self_corrected(131, "shift=51.8:-0.5"));
 }
 
-/// Two minutes after a shift at the first corner, it could be put at a door as well: adjusting would
-/// bend the loop until its planes agree. But the robot has looked at the same walls all the time.
+/// Two minutes after a shift at the first corner, it could be put at a door as well: adjusting
+/// would bend the loop until its planes agree. But the robot has looked at the same walls all the
+/// time.
 TEST(SelfClosure, PutsNoShiftWhereWallsWereFollowed) {
   expect_found_in_the_flat(self_corrected(133, "shift=10.1:-0.5"));
 }
