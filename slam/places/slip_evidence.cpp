@@ -129,7 +129,7 @@ std::vector<FittingSlip> fitting_slips(const PosedLines& lines, const LineRange&
     const Place place(i, lines, settings);
     if (place.is_new()) break;
     const Comparison compared = place.compared(T_start_start);
-    if (compared.gain() > 0.0) enter({i, compared}, lines, best);
+    if (compared.gain() >= settings.registration.min_ribbons) enter({i, compared}, lines, best);
   }
   std::vector<FittingSlip> slips;
   for (const FittingLine& fitting : best) {

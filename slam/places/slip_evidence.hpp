@@ -30,7 +30,8 @@ struct FittingSlip {
 };
 
 /// Returns the slips in a range of lines that fit best if a move, `T_start_start`, is right: the
-/// best first, two at most. All put more ribbons on walls than no slip.
+/// best first, two at most. All put as many more ribbons on walls as it takes to believe in a
+/// plane.
 std::vector<FittingSlip> fitting_slips(const PosedLines& lines, const LineRange& range,
                                        const Pose& T_start_start, const EstimateSettings& settings);
 
