@@ -18,7 +18,8 @@ namespace ribbon_mapper::slam {
 /// wrong pose.
 ///
 /// Of the histories in which a move may have been made, see candidate_histories(), the one of least
-/// cost is kept, see HistoryCost: none of them if they save less than the cost of a plane. A move
+/// cost is kept, see HistoryCost: none of them if they save less than the cost of a plane. What the
+/// lines around a slip say of it counts among those that save enough, see SlipEvidence. A move
 /// that saves ribbons alone, or goes farther than a slip, is made when two looks find it. One that
 /// leaves most of what is in view unknown has to explain more ribbons by fewer planes. A move is
 /// taken back if the history without it costs less later.
