@@ -24,7 +24,7 @@ struct Comparison {
   /// happens to be like what is known.
   SlipEvidence evidence(const EstimateSettings& settings) const {
     const double least = settings.registration.min_ribbons;
-    return {gain(),
+    return {std::abs(gain()) < least ? 0.0 : gain(),
             gain() >= least && moved.known() >= settings.estimate.relocaliser.least_known &&
                 1.0 - moved.known() <= 0.5 * (1.0 - here.known()),
             gain() <= -least && moved.evidence_m() < 0.5 * here.evidence_m()};

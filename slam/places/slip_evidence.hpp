@@ -13,7 +13,9 @@ namespace ribbon_mapper::slam {
 /// What the lines around a place say of a slip there: whether those just behind it fit what was
 /// seen just before it where they are, or moved.
 struct SlipEvidence {
-  double ribbons = 0.0;          ///< how many more ribbons lie on walls if moved; negative if fewer
+  /// How many more ribbons lie on walls if moved, negative if fewer. Zero if it takes more to
+  /// believe in a plane: they may be chance.
+  double ribbons = 0.0;
   bool is_explained = false;     ///< most of what does not fit where it is fits if moved
   bool is_contradicted = false;  ///< most of what fits where it is does not fit if moved
 };
