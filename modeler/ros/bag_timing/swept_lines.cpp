@@ -133,7 +133,10 @@ Time SweptLines::few_periods() const {
                                return from.angularDistance(a) < from.angularDistance(b);
                              });
   };
+  const Time duration = lines_.back().stamp - lines_.front().stamp;
   const Eigen::Quaterniond end = furthest_from(orientations.front());
+  const double span_rad = end.angularDistance(furthest_from(end));
+  if (!(span_rad > 0.0)) return duration + Time(1);
   double way_rad = 0.0, lines_there = 0.0, lines_back = 0.0;
   for (std::size_t i = 1; i < orientations.size(); ++i) {
     way_rad += orientations[i - 1].angularDistance(orientations[i]);
@@ -141,9 +144,8 @@ Time SweptLines::few_periods() const {
         end.angularDistance(orientations[i]) > end.angularDistance(orientations[i - 1]);
     (is_back ? lines_back : lines_there) += 1.0;
   }
-  const double periods = 0.5 * way_rad / end.angularDistance(furthest_from(end));
+  const double periods = 0.5 * way_rad / span_rad;
   const double lines_each_way = std::min(lines_there, lines_back) / periods;
-  const Time duration = lines_.back().stamp - lines_.front().stamp;
   if (!(lines_each_way > 0.0)) return duration + Time(1);
   return from_seconds(std::ceil(kMinLinesEachWay / lines_each_way) * to_seconds(duration) /
                       periods);
